@@ -1,0 +1,2 @@
+//! The program `pieper`.
+fn main() {}

@@ -1,0 +1,14 @@
+//! Kinematics of robot arms: from an arm's table (Denavit-Hartenberg, URDF or screws) to poses,
+//! Jacobians and every inverse solution.
+//!
+//! The modules stand in reading order; each uses only those above it.
+//!
+//! The library does no input or output beyond text it is handed, starts no thread, reads no clock.
+//! Lengths are metres, angles radians, time seconds, everywhere.
+
+pub mod error;
+pub mod model;
+pub mod scalar;
+pub mod spatial;
+
+pub use error::{Error, Result};

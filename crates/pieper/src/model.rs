@@ -1,0 +1,20 @@
+//! The arm itself: immutable, validated, free of any file format.
+//!
+//! A [`Chain`] is an open kinematic chain from a base to a tool,
+//!
+//! ```text
+//! base_from_tool = base * (before_1 * motion_1(q) * after_1) * ... * (before_m * motion_m(q) * after_m) * tool
+//! ```
+//!
+//! where `motion` turns about or slides along an axis, or stands still. A [`Tree`] is what a URDF describes;
+//! chains are taken out of it.
+
+mod canonical;
+mod chain;
+mod joint;
+mod tree;
+
+pub use canonical::{Canonical, LinkShape, Step};
+pub use chain::{Chain, ChainParts};
+pub use joint::{Drive, Joint, JointKind, Limits, Motion, Variable};
+pub use tree::{MeshRef, Tree, TreeJoint, TreeLink};

@@ -1,0 +1,232 @@
+//! The chain as kernels and solvers want it: every motion about or along z, every link constant.
+
+use nalgebra::{Matrix3, Rotation3, UnitVector3, Vector3};
+
+use super::chain::ChainParts;
+use super::joint::{Drive, Motion};
+use crate::spatial::{self, Pose};
+
+/// `base_from_tool = base * Z_1(q) L_1 * Z_2(q) L_2 * ... * Z_m(q) L_m * tail`.
+///
+/// `Z_i` turns about or slides along z by `offset + factor * q[variable]`; `L_i` is constant. Equal to the
+/// chain's own product to rounding, and to the last bit for a Denavit-Hartenberg table, whose rows are the steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Canonical {
+    /// From the world to the first axis.
+    pub base: Pose,
+    /// One step for each joint that moves, base to tool.
+    pub steps: Vec<Step>,
+    /// What is left between the last link and the tool; `None` where it is the identity.
+    pub tail: Option<Pose>,
+}
+
+/// One moving joint and the link behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Whether the joint turns about z; otherwise it slides along z.
+    pub turns: bool,
+    /// The displacement as a function of the joint vector.
+    pub drive: Drive,
+    /// The link behind the joint.
+    pub link: LinkShape,
+}
+
+/// A link, in the cheapest form that expresses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LinkShape {
+    /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`; theta is 0 behind a joint that turns.
+    Dh {
+        /// Sine and cosine of theta.
+        theta: (f64, f64),
+        /// Shift along z, metres.
+        d: f64,
+        /// Shift along the turned x, metres.
+        a: f64,
+        /// Sine and cosine of alpha.
+        alpha: (f64, f64),
+    },
+    /// Any rigid motion: axes that are nearly, but not exactly, parallel have no well-conditioned `d`.
+    General(Pose),
+}
+
+impl LinkShape {
+    /// The link as a pose.
+    pub fn pose(&self) -> Pose {
+        match *self {
+            Self::General(pose) => pose,
+            Self::Dh {
+                theta: (st, ct),
+                d,
+                a,
+                alpha: (sa, ca),
+            } => {
+                let m = Matrix3::new(ct, -st * ca, st * sa, st, ct * ca, -ct * sa, 0.0, sa, ca);
+                let rotation = Rotation3::from_matrix_unchecked(m);
+                Pose::from_parts(Vector3::new(a * ct, a * st, d).into(), rotation)
+            }
+        }
+    }
+}
+
+/// Below this sine of the angle between neighbouring axes the common normal is ill-conditioned: a Denavit-Hartenberg
+/// `d` would magnify rounding by its reciprocal.
+const MIN_SINE: f64 = 0.1;
+
+/// Entries of a rotation below this are rounding of an exact zero.
+const DUST: f64 = 4.0 * f64::EPSILON;
+
+impl Canonical {
+    /// The canonical form of a chain's parts.
+    pub(super) fn of(parts: &ChainParts) -> Self {
+        let (base, raw) = about_z(parts);
+        let mut steps: Vec<Step> = Vec::with_capacity(raw.len());
+        let mut carried = Pose::identity();
+        for (turns, mut drive, link) in raw {
+            let (shape, rest) = split(turns, &mut drive, &(carried * link));
+            steps.push(Step {
+                turns,
+                drive,
+                link: shape,
+            });
+            carried = rest;
+        }
+        let tail = (carried != Pose::identity()).then_some(carried);
+        Self { base, steps, tail }
+    }
+
+    /// The constant link behind step `index`; the last one includes the tail.
+    pub fn link(&self, index: usize) -> Pose {
+        let link = self.steps[index].link.pose();
+        match self.tail {
+            Some(tail) if index + 1 == self.steps.len() => link * tail,
+            _ => link,
+        }
+    }
+}
+
+/// Every motion turned to z: the base, and (turns, drive, constant pose up to the next axis) for each moving joint.
+fn about_z(parts: &ChainParts) -> (Pose, Vec<(bool, Drive, Pose)>) {
+    let mut base = parts.base;
+    let mut steps: Vec<(bool, Drive, Pose)> = Vec::new();
+    let append = |steps: &mut Vec<(bool, Drive, Pose)>, base: &mut Pose, pose: &Pose| {
+        let end = steps.last_mut().map_or(base, |step| &mut step.2);
+        *end *= pose;
+    };
+    for joint in &parts.joints {
+        append(&mut steps, &mut base, &joint.before);
+        if let (Some(axis), Some(&drive)) = (joint.motion.axis(), joint.motion.drive()) {
+            let (frame, sign) = frame_on(axis);
+            let drive = Drive {
+                factor: sign * drive.factor,
+                offset: sign * drive.offset,
+                ..drive
+            };
+            append(&mut steps, &mut base, &frame);
+            steps.push((
+                matches!(joint.motion, Motion::Turn(..)),
+                drive,
+                frame.inverse(),
+            ));
+        }
+        append(&mut steps, &mut base, &joint.after);
+    }
+    append(&mut steps, &mut base, &parts.tool);
+    (base, steps)
+}
+
+/// A frame whose z lies on `axis` times the sign; exact where the axis is a coordinate axis.
+fn frame_on(axis: &UnitVector3<f64>) -> (Pose, f64) {
+    let from = |x: Vector3<f64>, y: Vector3<f64>, z: Vector3<f64>| {
+        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x, y, z]));
+        Pose::from_parts(Vector3::zeros().into(), rotation)
+    };
+    let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
+    let u = axis.into_inner();
+    for (unit, frame) in [(z, from(x, y, z)), (x, from(y, z, x)), (y, from(z, x, y))] {
+        if u == unit {
+            return (frame, 1.0);
+        }
+        if u == -unit {
+            return (frame, -1.0);
+        }
+    }
+    let side = u.cross(&if u.x.abs() < 0.5 { x } else { y }).normalize();
+    (from(side, u.cross(&side), u), 1.0)
+}
+
+/// Splits `link` into a shape and a rest `Rz Tz` that commutes with the next motion; a turn about z in front of the
+/// shape goes into the drive's offset of a joint that turns.
+fn split(turns: bool, drive: &mut Drive, link: &Pose) -> (LinkShape, Pose) {
+    let m = link.rotation.matrix();
+    let t = link.translation.vector;
+    let direction = m.column(2).into_owned();
+    let sine = direction.x.hypot(direction.y);
+    if is_dh(link) {
+        let shape = LinkShape::Dh {
+            theta: (0.0, 1.0),
+            d: t.z,
+            a: t.x,
+            alpha: (m[(2, 1)], m[(2, 2)]),
+        };
+        return (shape, Pose::identity());
+    }
+    let (theta, d, along) = if sine <= DUST {
+        (t.y.atan2(t.x), t.z, 0.0)
+    } else if sine < MIN_SINE {
+        return (LinkShape::General(*link), Pose::identity());
+    } else {
+        let theta = direction.x.atan2(-direction.y);
+        let (sin, cos) = spatial::sin_cos_exact(theta);
+        let along = -(cos * t.y - sin * t.x) / sine;
+        (theta, t.z - along * direction.z, along)
+    };
+    let (sin, cos) = spatial::sin_cos_exact(theta);
+    let a = cos * t.x + sin * t.y;
+    let alpha = if sine <= DUST {
+        (0.0, direction.z.signum())
+    } else {
+        (sine, direction.z)
+    };
+    let shape = LinkShape::Dh {
+        theta: (sin, cos),
+        d,
+        a,
+        alpha,
+    };
+    let mut rest = Pose::from_parts(
+        Vector3::zeros().into(),
+        shape.pose().rotation.inverse() * link.rotation,
+    );
+    clean_turn(&mut rest);
+    rest.translation.vector.z = along;
+    if !turns {
+        return (shape, rest);
+    }
+    drive.offset = spatial::snap(drive.offset + theta);
+    (
+        LinkShape::Dh {
+            theta: (0.0, 1.0),
+            d,
+            a,
+            alpha,
+        },
+        rest,
+    )
+}
+
+/// Whether the link is `Tz(d) Tx(a) Rx(alpha)` to the last bit.
+fn is_dh(link: &Pose) -> bool {
+    let m = link.rotation.matrix();
+    link.translation.vector.y == 0.0
+        && m[(0, 0)] == 1.0
+        && [(0, 1), (0, 2), (1, 0), (2, 0)]
+            .iter()
+            .all(|&entry| m[entry] == 0.0)
+}
+
+/// Makes a rotation that is about z up to rounding exactly so.
+fn clean_turn(pose: &mut Pose) {
+    let m = pose.rotation.matrix();
+    let angle = m[(1, 0)].atan2(m[(0, 0)]);
+    *pose = spatial::turn(&Vector3::z_axis(), spatial::sin_cos_exact(angle));
+}

@@ -91,9 +91,12 @@ impl fmt::Display for Place {
 
 impl Error {
     /// A text that does not read: `subject` is the offending text, `message` says what was expected.
+    ///
+    /// A default place is none: [`Error::at`] can add it later.
     #[cold]
     pub fn parse(place: Place, subject: impl Into<String>, message: impl Into<String>) -> Self {
-        Self::new(Kind::Parse, Some(place), subject.into(), message.into())
+        let place = (place != Place::default()).then_some(place);
+        Self::new(Kind::Parse, place, subject.into(), message.into())
     }
 
     /// A description that reads, but is no valid arm.

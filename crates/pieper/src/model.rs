@@ -14,7 +14,7 @@ mod chain;
 mod joint;
 mod tree;
 
-pub use canonical::{Canonical, LinkShape, Step};
+pub use canonical::{Canonical, LinkShape, Row, Rows, Step};
 pub use chain::{Chain, ChainParts};
 pub use joint::{Drive, Joint, JointKind, Limits, Motion, Variable};
 pub use tree::{MeshRef, Tree, TreeJoint, TreeLink};

@@ -1,5 +1,6 @@
 //! Rigid motions: poses, turns with exact right angles, checks.
 
+use crate::error::{Error, Result};
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3, UnitVector3, Vector3};
 
 mod angle;
@@ -82,3 +83,70 @@ pub fn to_rpy(rotation: &Rotation3<f64>) -> [f64; 3] {
 /// Cosine of pitch below which roll and yaw can no longer be told apart: their entries of the matrix are then
 /// of the size of rounding errors.
 const GIMBAL_LOCK: f64 = 1e-15;
+
+/// A pose from the rows of its 4x4 (or 3x4) matrix.
+///
+/// The rotation part is projected onto the nearest rotation, so that what follows works with an exact one.
+///
+/// # Errors
+/// An input error: wrong shape, an entry that is not finite, a last row other than 0 0 0 1, a rotation part that is
+/// more than 1e-6 from orthonormal or a reflection; the message says how far off it is.
+pub fn pose_from_rows(rows: &[Vec<f64>]) -> Result<Pose> {
+    let shape_is_right = matches!(rows.len(), 3 | 4) && rows.iter().all(|row| row.len() == 4);
+    if !shape_is_right {
+        return Err(Error::input(
+            "pose",
+            "a 4x4 matrix was expected, row by row",
+        ));
+    }
+    if let Some(entry) = rows.iter().flatten().find(|entry| !entry.is_finite()) {
+        return Err(Error::input(
+            "pose",
+            format!("its entry {entry} is not a finite number"),
+        ));
+    }
+    if let Some(last) = rows.get(3).filter(|last| last[..] != [0.0, 0.0, 0.0, 1.0]) {
+        return Err(Error::input(
+            "pose",
+            format!("its last row is {last:?}, [0, 0, 0, 1] was expected"),
+        ));
+    }
+    let rotation = Matrix3::from_fn(|i, j| rows[i][j]);
+    let position = Vector3::from_fn(|i, _| rows[i][3]);
+    Ok(Pose::from_parts(
+        position.into(),
+        nearest_rotation(&rotation)?,
+    ))
+}
+
+/// How far a rotation part may be from orthonormal and still be taken for one: the contract of the program.
+const ORTHONORMAL_TOLERANCE: f64 = 1e-6;
+
+/// The rotation nearest to a matrix that is one up to rounding.
+///
+/// # Errors
+/// An input error if an entry of `R^T R - 1` exceeds 1e-6, or if the matrix is a reflection.
+pub fn nearest_rotation(matrix: &Matrix3<f64>) -> Result<Rotation3<f64>> {
+    let off = (matrix.transpose() * matrix - Matrix3::identity()).amax();
+    if off.is_nan() || off > ORTHONORMAL_TOLERANCE {
+        let text = format!(
+            "it is not orthonormal: R^T R is off the identity by {off:.3e}, at most 1e-6 was expected"
+        );
+        return Err(Error::input("rotation part of the pose", text));
+    }
+    if matrix.determinant() < 0.0 {
+        let text = "it is a reflection (determinant -1), a rotation was expected";
+        return Err(Error::input("rotation part of the pose", text));
+    }
+    // Newton's iteration for the polar factor, X <- X (3 - X^T X) / 2, is quadratic: from 1e-6 one step reaches
+    // 1e-12, two reach rounding. A matrix that is exact already stays as it is to the last bit.
+    let mut rotation = *matrix;
+    for _ in 0..2 {
+        let excess = rotation.transpose() * rotation - Matrix3::identity();
+        if excess.amax() <= 2.0 * f64::EPSILON {
+            break;
+        }
+        rotation -= rotation * excess * 0.5;
+    }
+    Ok(Rotation3::from_matrix_unchecked(rotation))
+}

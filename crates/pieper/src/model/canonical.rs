@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Rotation3, UnitVector3, Vector3};
 
 use super::chain::ChainParts;
 use super::joint::{Drive, Motion};
+use crate::error::{Error, Result};
 use crate::spatial::{self, Pose};
 
 /// `base_from_tool = base * Z_1(q) L_1 * Z_2(q) L_2 * ... * Z_m(q) L_m * tail`.
@@ -82,7 +83,7 @@ impl Canonical {
         let mut steps: Vec<Step> = Vec::with_capacity(raw.len());
         let mut carried = Pose::identity();
         for (turns, mut drive, link) in raw {
-            let (shape, rest) = split(turns, &mut drive, &(carried * link));
+            let (shape, rest) = split(turns, &mut drive, &(carried * link), MIN_SINE);
             steps.push(Step {
                 turns,
                 drive,
@@ -103,6 +104,77 @@ impl Canonical {
         }
     }
 }
+
+/// The chain as Denavit-Hartenberg rows throughout: `base * rows * tail`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// From the world to the first axis.
+    pub base: Pose,
+    /// One row for each joint that moves.
+    pub rows: Vec<Row>,
+    /// What is left between the last row and the tool.
+    pub tail: Pose,
+}
+
+/// One standard Denavit-Hartenberg row, in numbers. The drive's displacement adds to theta or to d.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// Whether the joint turns about z; otherwise it slides along z.
+    pub turns: bool,
+    /// The displacement as a function of the joint vector.
+    pub drive: Drive,
+    /// Constant turn about z; 0 for a joint that turns.
+    pub theta: f64,
+    /// Constant shift along z.
+    pub d: f64,
+    /// Shift along x.
+    pub a: f64,
+    /// Turn about x.
+    pub alpha: f64,
+}
+
+impl Canonical {
+    /// The chain as Denavit-Hartenberg rows, also where the common normal is ill-conditioned.
+    ///
+    /// # Errors
+    /// A model error for neighbouring axes that are parallel only almost: closer than 1e-7 rad.
+    pub fn to_rows(&self) -> Result<Rows> {
+        let mut rows = Vec::with_capacity(self.steps.len());
+        let mut carried = Pose::identity();
+        for (index, step) in self.steps.iter().enumerate() {
+            let mut drive = step.drive;
+            let link = carried * step.link.pose();
+            let (shape, rest) = split(step.turns, &mut drive, &link, MIN_SINE_ROWS);
+            let LinkShape::Dh { theta, d, a, alpha } = shape else {
+                let pair = format!("axes {} and {}", index + 1, index + 2);
+                return Err(Error::model(
+                    pair,
+                    "they are parallel only almost: no table expresses that",
+                ));
+            };
+            let angle = |(sin, cos): (f64, f64)| spatial::snap(sin.atan2(cos));
+            let (theta, alpha) = (angle(theta), angle(alpha));
+            rows.push(Row {
+                turns: step.turns,
+                drive,
+                theta,
+                d,
+                a,
+                alpha,
+            });
+            carried = rest;
+        }
+        let tail = carried * self.tail.unwrap_or_else(Pose::identity);
+        Ok(Rows {
+            base: self.base,
+            rows,
+            tail,
+        })
+    }
+}
+
+/// Below this sine a table would place its frames beyond ten million times the arm's size.
+const MIN_SINE_ROWS: f64 = 1e-7;
 
 /// Every motion turned to z: the base, and (turns, drive, constant pose up to the next axis) for each moving joint.
 fn about_z(parts: &ChainParts) -> (Pose, Vec<(bool, Drive, Pose)>) {
@@ -156,7 +228,7 @@ fn frame_on(axis: &UnitVector3<f64>) -> (Pose, f64) {
 
 /// Splits `link` into a shape and a rest `Rz Tz` that commutes with the next motion; a turn about z in front of the
 /// shape goes into the drive's offset of a joint that turns.
-fn split(turns: bool, drive: &mut Drive, link: &Pose) -> (LinkShape, Pose) {
+fn split(turns: bool, drive: &mut Drive, link: &Pose, min_sine: f64) -> (LinkShape, Pose) {
     let m = link.rotation.matrix();
     let t = link.translation.vector;
     let direction = m.column(2).into_owned();
@@ -172,7 +244,7 @@ fn split(turns: bool, drive: &mut Drive, link: &Pose) -> (LinkShape, Pose) {
     }
     let (theta, d, along) = if sine <= DUST {
         (t.y.atan2(t.x), t.z, 0.0)
-    } else if sine < MIN_SINE {
+    } else if sine < min_sine {
         return (LinkShape::General(*link), Pose::identity());
     } else {
         let theta = direction.x.atan2(-direction.y);

@@ -1,0 +1,14 @@
+//! The formats an arm is described in, and the way from each to the [model](crate::model) and back.
+//!
+//! Only this module knows file formats. It reads text it is handed; files come through the caller.
+
+pub mod dh;
+pub mod expr;
+pub mod robot;
+mod robot_file;
+pub mod screws;
+
+pub use dh::{Convention, DhTable};
+pub use expr::Expr;
+pub use robot::{Form, Golden, Robot};
+pub use screws::ScrewTable;

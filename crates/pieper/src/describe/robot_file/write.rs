@@ -1,0 +1,193 @@
+//! A robot as a robot file.
+
+use std::fmt::Write as _;
+
+use crate::describe::dh::{DhRow, FrameExpr, JointExpr, Moves};
+use crate::describe::expr::{Expr, Operator, Unit};
+use crate::describe::robot::{Form, Robot};
+use crate::describe::screws::Screw;
+use crate::error::{Error, Result};
+use crate::model::JointKind;
+
+impl Robot {
+    /// The robot as a robot file, readable by [`Robot::from_toml`] with the same numbers.
+    ///
+    /// # Errors
+    /// A model error for a tree: make a table or screws of its chain first.
+    pub fn to_toml(&self) -> Result<String> {
+        let mut out = String::new();
+        self.write(&mut out)?
+            .map_err(|_| Error::model("robot", "out of memory"))?;
+        Ok(out)
+    }
+
+    fn write(&self, out: &mut String) -> Result<std::fmt::Result> {
+        let (base, tool) = match &self.form {
+            Form::Dh(table) => (&table.base, &table.tool),
+            Form::Screws(table) => (&table.base, &table.tool),
+            Form::Tree { .. } => {
+                let text = "a tree has no robot file: make a table or screws of its chain, or write a URDF";
+                return Err(Error::model(self.name.clone(), text));
+            }
+        };
+        Ok(self.write_head(out).and_then(|()| {
+            match &self.form {
+                Form::Dh(table) => table
+                    .rows
+                    .iter()
+                    .enumerate()
+                    .try_for_each(|(i, row)| write_row(out, i, row)),
+                Form::Screws(table) => table
+                    .screws
+                    .iter()
+                    .enumerate()
+                    .try_for_each(|(i, screw)| write_screw(out, i, screw)),
+                Form::Tree { .. } => Ok(()),
+            }?;
+            write_frame(out, "base", base)?;
+            write_frame(out, "tool", tool)
+        }))
+    }
+
+    fn write_head(&self, out: &mut String) -> std::fmt::Result {
+        writeln!(out, "name = {}", quoted(&self.name))?;
+        for (key, text) in [("summary", &self.summary), ("source", &self.source)] {
+            if !text.is_empty() {
+                writeln!(out, "{key} = {}", quoted(text))?;
+            }
+        }
+        if let Form::Dh(table) = &self.form {
+            writeln!(out, "convention = {}", quoted(table.convention.name()))?;
+        }
+        if !self.datasheet.is_empty() {
+            writeln!(out, "\n[datasheet]")?;
+            self.datasheet
+                .iter()
+                .try_for_each(|(k, v)| writeln!(out, "{} = {}", quoted(k), quoted(v)))?;
+        }
+        if !self.parameters.is_empty() {
+            writeln!(out, "\n[parameters]")?;
+        }
+        for parameter in &self.parameters {
+            let value = parameter.value.as_ref().map_or("\"?\"".to_owned(), value);
+            writeln!(out, "{} = {value}", parameter.name)?;
+        }
+        Ok(())
+    }
+}
+
+fn write_row(out: &mut String, index: usize, row: &DhRow) -> std::fmt::Result {
+    let moving = |offset: &Expr| quoted(&with_variable(offset, index, row.sign));
+    let (theta, d) = match row.moves {
+        Moves::Theta => (moving(&row.theta), value(&row.d)),
+        Moves::D => (value(&row.theta), moving(&row.d)),
+    };
+    writeln!(
+        out,
+        "\n[[joint]]\ntheta = {theta}\nalpha = {}",
+        value(&row.alpha)
+    )?;
+    writeln!(out, "d = {d}\na = {}", value(&row.a))?;
+    write_joint(out, index, &row.joint)
+}
+
+fn write_screw(out: &mut String, index: usize, screw: &Screw) -> std::fmt::Result {
+    let key = if screw.kind == JointKind::Prismatic {
+        "d"
+    } else {
+        "theta"
+    };
+    let text = quoted(&with_variable(&screw.offset, index, screw.sign));
+    writeln!(
+        out,
+        "\n[[screws]]\nh = {}\np = {}\n{key} = {text}",
+        list(&screw.h),
+        list(&screw.p)
+    )?;
+    write_joint(out, index, &screw.joint)
+}
+
+fn write_joint(out: &mut String, index: usize, joint: &JointExpr) -> std::fmt::Result {
+    if joint.name != format!("q{}", index + 1) {
+        writeln!(out, "name = {}", quoted(&joint.name))?;
+    }
+    if let Some(limits) = &joint.limits {
+        writeln!(out, "limits = {}", list(limits))?;
+    }
+    for (key, expr) in [
+        ("velocity", &joint.velocity),
+        ("acceleration", &joint.acceleration),
+    ] {
+        if let Some(expr) = expr {
+            writeln!(out, "{key} = {}", value(expr))?;
+        }
+    }
+    Ok(())
+}
+
+fn write_frame(out: &mut String, name: &str, frame: &FrameExpr) -> std::fmt::Result {
+    if frame.is_identity() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "\n[{name}]\nxyz = {}\nrpy = {}",
+        list(&frame.xyz),
+        list(&frame.rpy)
+    )
+}
+
+/// `offset + q` with the variable where a person puts it.
+fn with_variable(offset: &Expr, index: usize, sign: f64) -> String {
+    let variable = Box::new(Expr::Symbol(format!("q{}", index + 1)));
+    let expr = match (offset.is_zero(), sign < 0.0) {
+        (true, false) => *variable,
+        (true, true) => Expr::Neg(variable),
+        (false, negative) => {
+            let operator = if negative {
+                Operator::Sub
+            } else {
+                Operator::Add
+            };
+            Expr::Binary(operator, Box::new(offset.clone()), variable)
+        }
+    };
+    expr.to_string()
+}
+
+/// A plain number as a TOML number, anything else as a string.
+fn value(expr: &Expr) -> String {
+    let is_plain = match expr {
+        Expr::Number(_, unit) => *unit == Unit::None,
+        Expr::Neg(inner) => matches!(**inner, Expr::Number(_, Unit::None)),
+        _ => false,
+    };
+    if is_plain {
+        expr.to_string()
+    } else {
+        quoted(&expr.to_string())
+    }
+}
+
+fn list(exprs: &[Expr]) -> String {
+    format!(
+        "[{}]",
+        exprs.iter().map(value).collect::<Vec<_>>().join(", ")
+    )
+}
+
+/// A TOML basic string.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => out.extend(['\\', character]),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if c.is_control() => out.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

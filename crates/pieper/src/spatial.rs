@@ -5,7 +5,7 @@ use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3, UnitVector3, V
 
 mod angle;
 
-pub use angle::{sin_cos_exact, snap};
+pub use angle::{Quarters, sin_cos_exact, snap};
 
 /// A pose: rotation matrix and translation. `a_from_b` maps coordinates in frame b to frame a.
 ///

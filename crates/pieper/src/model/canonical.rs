@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Rotation3, UnitVector3, Vector3};
 use super::chain::ChainParts;
 use super::joint::{Drive, Motion};
 use crate::error::{Error, Result};
-use crate::spatial::{self, Pose};
+use crate::spatial::{self, Pose, Quarters};
 
 /// `base_from_tool = base * Z_1(q) L_1 * Z_2(q) L_2 * ... * Z_m(q) L_m * tail`.
 ///
@@ -45,12 +45,25 @@ pub enum LinkShape {
         a: f64,
         /// Sine and cosine of alpha.
         alpha: (f64, f64),
+        /// Alpha as a multiple of a right angle, where it is one exactly: kernels then swap columns.
+        quarters: Option<Quarters>,
     },
     /// Any rigid motion: axes that are nearly, but not exactly, parallel have no well-conditioned `d`.
     General(Pose),
 }
 
 impl LinkShape {
+    /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`, angles by sine and cosine.
+    fn dh(theta: (f64, f64), d: f64, a: f64, alpha: (f64, f64)) -> Self {
+        Self::Dh {
+            theta,
+            d,
+            a,
+            alpha,
+            quarters: Quarters::of(alpha.0, alpha.1),
+        }
+    }
+
     /// The link as a pose.
     pub fn pose(&self) -> Pose {
         match *self {
@@ -60,6 +73,7 @@ impl LinkShape {
                 d,
                 a,
                 alpha: (sa, ca),
+                ..
             } => {
                 let m = Matrix3::new(ct, -st * ca, st * sa, st, ct * ca, -ct * sa, 0.0, sa, ca);
                 let rotation = Rotation3::from_matrix_unchecked(m);
@@ -145,7 +159,10 @@ impl Canonical {
             let mut drive = step.drive;
             let link = carried * step.link.pose();
             let (shape, rest) = split(step.turns, &mut drive, &link, MIN_SINE_ROWS);
-            let LinkShape::Dh { theta, d, a, alpha } = shape else {
+            let LinkShape::Dh {
+                theta, d, a, alpha, ..
+            } = shape
+            else {
                 let pair = format!("axes {} and {}", index + 1, index + 2);
                 return Err(Error::model(
                     pair,
@@ -234,12 +251,7 @@ fn split(turns: bool, drive: &mut Drive, link: &Pose, min_sine: f64) -> (LinkSha
     let direction = m.column(2).into_owned();
     let sine = direction.x.hypot(direction.y);
     if is_dh(link) {
-        let shape = LinkShape::Dh {
-            theta: (0.0, 1.0),
-            d: t.z,
-            a: t.x,
-            alpha: (m[(2, 1)], m[(2, 2)]),
-        };
+        let shape = LinkShape::dh((0.0, 1.0), t.z, t.x, (m[(2, 1)], m[(2, 2)]));
         return (shape, Pose::identity());
     }
     let (theta, d, along) = if sine <= DUST {
@@ -259,12 +271,7 @@ fn split(turns: bool, drive: &mut Drive, link: &Pose, min_sine: f64) -> (LinkSha
     } else {
         (sine, direction.z)
     };
-    let shape = LinkShape::Dh {
-        theta: (sin, cos),
-        d,
-        a,
-        alpha,
-    };
+    let shape = LinkShape::dh((sin, cos), d, a, alpha);
     let mut rest = Pose::from_parts(
         Vector3::zeros().into(),
         shape.pose().rotation.inverse() * link.rotation,
@@ -275,15 +282,7 @@ fn split(turns: bool, drive: &mut Drive, link: &Pose, min_sine: f64) -> (LinkSha
         return (shape, rest);
     }
     drive.offset = spatial::snap(drive.offset + theta);
-    (
-        LinkShape::Dh {
-            theta: (0.0, 1.0),
-            d,
-            a,
-            alpha,
-        },
-        rest,
-    )
+    (LinkShape::dh((0.0, 1.0), d, a, alpha), rest)
 }
 
 /// Whether the link is `Tz(d) Tx(a) Rx(alpha)` to the last bit.

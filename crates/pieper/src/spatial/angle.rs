@@ -45,3 +45,29 @@ pub fn sin_cos_exact(angle: f64) -> (f64, f64) {
         _ => (-1.0, 0.0),
     }
 }
+
+/// A turn by a multiple of a right angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quarters {
+    /// 0
+    None,
+    /// +90 degrees
+    Plus,
+    /// -90 degrees
+    Minus,
+    /// 180 degrees
+    Half,
+}
+
+impl Quarters {
+    /// The turn with this sine and cosine, if it is a multiple of a right angle to the last bit.
+    pub fn of(sin: f64, cos: f64) -> Option<Self> {
+        match (sin, cos) {
+            (0.0, 1.0) => Some(Self::None),
+            (1.0, 0.0) => Some(Self::Plus),
+            (-1.0, 0.0) => Some(Self::Minus),
+            (0.0, -1.0) => Some(Self::Half),
+            _ => None,
+        }
+    }
+}

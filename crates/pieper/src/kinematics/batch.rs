@@ -1,0 +1,301 @@
+//! Many poses in one call, several per register, without allocation.
+//!
+//! Values lie joint by joint and entry by entry (structure of arrays), so that neighbouring poses fill the lanes of
+//! a register. The width is chosen when the program runs: eight poses at once with AVX-512, four with AVX2, two
+//! with NEON, one elsewhere.
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use pulp::{Arch, Simd, WithSimd};
+
+use super::kernel::Frame;
+use super::lanes::{self, Lanes};
+use super::single::{self, Moved};
+use crate::error::{Error, Result};
+use crate::model::{Canonical, Chain, Step};
+use crate::spatial::Pose;
+
+/// Joint vectors, joint by joint: value `j` of vector `k` stands at `j * count + k`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointBatch {
+    count: usize,
+    values: Vec<f64>,
+}
+
+impl JointBatch {
+    /// Room for `count` vectors of `dof` values, all zero.
+    pub fn zeros(dof: usize, count: usize) -> Self {
+        Self {
+            count,
+            values: vec![0.0; dof * count],
+        }
+    }
+
+    /// The number of vectors.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// All values of joint `joint`, one for each vector.
+    pub fn joint(&self, joint: usize) -> &[f64] {
+        &self.values[joint * self.count..(joint + 1) * self.count]
+    }
+
+    /// All values of joint `joint`, to change.
+    pub fn joint_mut(&mut self, joint: usize) -> &mut [f64] {
+        &mut self.values[joint * self.count..(joint + 1) * self.count]
+    }
+
+    /// Sets vector `index`.
+    pub fn set(&mut self, index: usize, q: &[f64]) {
+        for (joint, &value) in q.iter().enumerate() {
+            self.values[joint * self.count + index] = value;
+        }
+    }
+}
+
+/// Entries of a pose's upper three rows.
+const ENTRIES: usize = 12;
+
+/// Poses, entry by entry: the columns n, s, a, p of pose `k`, downwards, stand at `entry * count + k`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseBatch {
+    count: usize,
+    values: Vec<f64>,
+}
+
+impl PoseBatch {
+    /// Room for `count` poses.
+    pub fn zeros(count: usize) -> Self {
+        Self {
+            count,
+            values: vec![0.0; ENTRIES * count],
+        }
+    }
+
+    /// The number of poses.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Entry `row`, `column` of every pose; column 3 is the position.
+    pub fn entry(&self, row: usize, column: usize) -> &[f64] {
+        let start = (3 * column + row) * self.count;
+        &self.values[start..start + self.count]
+    }
+
+    /// Pose `index`.
+    pub fn get(&self, index: usize) -> Pose {
+        let value = |entry: usize| self.values[entry * self.count + index];
+        let matrix = Matrix3::from_fn(|row, column| value(3 * column + row));
+        let position = Vector3::from_fn(|row, _| value(9 + row));
+        Pose::from_parts(position.into(), Rotation3::from_matrix_unchecked(matrix))
+    }
+}
+
+/// The tool's pose for every joint vector.
+///
+/// Equal to [`tool_pose`](super::tool_pose) of each to rounding. Allocates nothing.
+///
+/// # Errors
+/// An input error if the batches' sizes do not fit, or naming the first vector with a value that is not finite.
+///
+/// ```
+/// use pieper::kinematics::batch::{JointBatch, PoseBatch, tool_poses};
+/// use pieper::describe::Robot;
+/// let text = "name = 'r'\nconvention = 'standard'\n[[joint]]\ntheta = 'q1'\na = 0.5";
+/// let chain = Robot::from_toml("r.toml", text)?.chain()?;
+/// let mut q = JointBatch::zeros(1, 1000);
+/// q.set(7, &[0.3]);
+/// let mut poses = PoseBatch::zeros(1000);
+/// tool_poses(&chain, &q, &mut poses)?;
+/// assert!((poses.get(7).translation.vector.x - 0.5 * 0.3_f64.cos()).abs() < 1e-15);
+/// # Ok::<(), pieper::Error>(())
+/// ```
+pub fn tool_poses(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch) -> Result<()> {
+    check_sizes(chain, q, poses)?;
+    let count = q.count;
+    if count == 0 {
+        return Ok(());
+    }
+    let mut entries = poses.values.chunks_exact_mut(count);
+    let out: [&mut [f64]; ENTRIES] = std::array::from_fn(|_| entries.next().unwrap_or_default());
+    run(chain.canonical(), q, 0, out)
+}
+
+/// As [`tool_poses`], over all cores.
+///
+/// # Errors
+/// As [`tool_poses`]; of several vectors that are not finite, any one is named.
+#[cfg(feature = "rayon")]
+pub fn tool_poses_parallel(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch) -> Result<()> {
+    use rayon::prelude::*;
+    check_sizes(chain, q, poses)?;
+    let count = q.count;
+    if count == 0 {
+        return Ok(());
+    }
+    // Pieces small enough to share evenly, large enough that starting one does not show.
+    const PIECE: usize = 4096;
+    let mut pieces: Vec<[&mut [f64]; ENTRIES]> = (0..count.div_ceil(PIECE))
+        .map(|_| std::array::from_fn(|_| Default::default()))
+        .collect();
+    for (entry, values) in poses.values.chunks_exact_mut(count).enumerate() {
+        for (piece, part) in pieces.iter_mut().zip(values.chunks_mut(PIECE)) {
+            piece[entry] = part;
+        }
+    }
+    let canonical = chain.canonical();
+    pieces
+        .into_par_iter()
+        .enumerate()
+        .try_for_each(|(index, out)| run(canonical, q, index * PIECE, out))
+}
+
+fn check_sizes(chain: &Chain, q: &JointBatch, poses: &PoseBatch) -> Result<()> {
+    if q.values.len() != chain.dof() * q.count {
+        let (given, dof) = (q.values.len() / q.count.max(1), chain.dof());
+        return Err(Error::input(
+            "joint batch",
+            format!("{dof} joints were expected, {given} were given"),
+        ));
+    }
+    if poses.count != q.count {
+        let text = format!(
+            "room for {} poses was expected, there is room for {}",
+            q.count, poses.count
+        );
+        return Err(Error::input("pose batch", text));
+    }
+    Ok(())
+}
+
+/// The poses of the vectors from `start` on, as many as `out` has room for.
+fn run(
+    canonical: &Canonical,
+    q: &JointBatch,
+    start: usize,
+    out: [&mut [f64]; ENTRIES],
+) -> Result<()> {
+    let bad = Arch::new().dispatch(Batch {
+        canonical,
+        q,
+        start,
+        out,
+    });
+    bad.map_or(Ok(()), |index| {
+        Err(Error::input(
+            format!("joint vector {index}"),
+            "a value is not a finite number",
+        ))
+    })
+}
+
+struct Batch<'a> {
+    canonical: &'a Canonical,
+    q: &'a JointBatch,
+    start: usize,
+    out: [&'a mut [f64]; ENTRIES],
+}
+
+impl WithSimd for Batch<'_> {
+    /// The first vector that is not finite.
+    type Output = Option<usize>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Option<usize> {
+        let Self {
+            canonical,
+            q,
+            start,
+            mut out,
+        } = self;
+        let count = out[0].len();
+        let width = S::F64_LANES;
+        let mut done = 0;
+        // A single lane has no fused multiply-add to reduce angles with: the plain way is the faster one there.
+        while width > 1 && done + width <= count {
+            if !block(simd, canonical, q, start + done, &mut out, done) {
+                let bad = (done..done + width)
+                    .find_map(|at| plain(canonical, q, start + at, &mut out, at));
+                if bad.is_some() {
+                    return bad;
+                }
+            }
+            done += width;
+        }
+        (done..count).find_map(|at| plain(canonical, q, start + at, &mut out, at))
+    }
+}
+
+/// One register's worth of poses; `false`, and nothing useful written, if an angle is too large or not finite.
+#[inline(always)]
+fn block<S: Simd>(
+    simd: S,
+    canonical: &Canonical,
+    q: &JointBatch,
+    from: usize,
+    out: &mut [&mut [f64]; ENTRIES],
+    to: usize,
+) -> bool {
+    let splat = |value: f64| Lanes::splat(simd, value);
+    let base = single::base_frame(&canonical.base);
+    let frame = Frame {
+        x: base.x.map(splat),
+        y: base.y.map(splat),
+        z: base.z.map(splat),
+        p: base.p.map(splat),
+    };
+    let limit = simd.splat_f64s(lanes::MAX_REDUCED);
+    let mut small = simd.less_than_f64s(simd.splat_f64s(0.0), limit);
+    let motion = |_: usize, step: &Step| {
+        let values = &q.joint(step.drive.variable)[from..from + S::F64_LANES];
+        let value = Lanes {
+            simd,
+            value: simd.partial_load_f64s(values),
+        };
+        let displacement = value * splat(step.drive.factor) + splat(step.drive.offset);
+        small = simd.and_m64s(
+            small,
+            simd.less_than_f64s(simd.abs_f64s(displacement.value), limit),
+        );
+        if step.turns {
+            Moved::Turned(lanes::sin_cos(displacement))
+        } else {
+            Moved::Slid(displacement)
+        }
+    };
+    let frame = single::run(canonical, frame, splat, motion, |_, _| {});
+    let columns = [frame.x, frame.y, frame.z, frame.p];
+    for (entry, lanes) in columns.into_iter().flatten().enumerate() {
+        simd.partial_store_f64s(&mut out[entry][to..to + S::F64_LANES], lanes.value);
+    }
+    simd.first_true_m64s(simd.xor_m64s(small, simd.less_than_f64s(simd.splat_f64s(0.0), limit)))
+        >= S::F64_LANES
+}
+
+/// One pose with the standard library's sine and cosine; the vector's index if a value is not finite.
+fn plain(
+    canonical: &Canonical,
+    q: &JointBatch,
+    from: usize,
+    out: &mut [&mut [f64]; ENTRIES],
+    to: usize,
+) -> Option<usize> {
+    let value = |step: &Step| {
+        step.drive
+            .factor
+            .mul_add(q.joint(step.drive.variable)[from], step.drive.offset)
+    };
+    if !canonical.steps.iter().all(|step| value(step).is_finite()) {
+        return Some(from);
+    }
+    let frame = single::tool_frame_plain(canonical, value, |_, _| {});
+    for (entry, value) in [frame.x, frame.y, frame.z, frame.p]
+        .into_iter()
+        .flatten()
+        .enumerate()
+    {
+        out[entry][to] = value;
+    }
+    None
+}

@@ -1,0 +1,174 @@
+//! SIMD lanes as a scalar: several poses at once, and their sines and cosines.
+
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use std::ops::{Add, Mul, Neg, Sub};
+
+use pulp::Simd;
+
+use super::kernel::Turn;
+use crate::scalar::Scalar;
+
+/// One register of doubles.
+#[derive(Clone, Copy)]
+pub(super) struct Lanes<S: Simd> {
+    pub(super) simd: S,
+    pub(super) value: S::f64s,
+}
+
+impl<S: Simd> Lanes<S> {
+    #[inline(always)]
+    pub(super) fn splat(simd: S, value: f64) -> Self {
+        Self {
+            simd,
+            value: simd.splat_f64s(value),
+        }
+    }
+}
+
+impl<S: Simd> Add for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self {
+            value: self.simd.add_f64s(self.value, other.value),
+            ..self
+        }
+    }
+}
+
+impl<S: Simd> Sub for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self {
+            value: self.simd.sub_f64s(self.value, other.value),
+            ..self
+        }
+    }
+}
+
+impl<S: Simd> Mul for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            value: self.simd.mul_f64s(self.value, other.value),
+            ..self
+        }
+    }
+}
+
+impl<S: Simd> Neg for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self {
+            value: self.simd.neg_f64s(self.value),
+            ..self
+        }
+    }
+}
+
+impl<S: Simd> Scalar for Lanes<S> {
+    #[inline(always)]
+    fn constant(&self, value: f64) -> Self {
+        Self::splat(self.simd, value)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Self {
+            value: self
+                .simd
+                .mul_add_e_f64s(self.value, factor.value, addend.value),
+            ..self
+        }
+    }
+}
+
+/// Angles up to this size are reduced by two products with pi/2; larger ones go to the standard library.
+/// Up to here the number of quarter turns, below 2^17, times pi/2's leading 53 bits cancels exactly.
+pub(super) const MAX_REDUCED: f64 = 1e5;
+
+/// pi/2 less its nearest double.
+const FRAC_PI_2_TAIL: f64 = 6.123_233_995_736_766e-17;
+
+/// Adding it rounds a double below 2^51 to an integer, left in the low bits.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// Minimax coefficients of (sin r - r) / r^3 in r^2 on [-pi/4, pi/4], after Sun's fdlibm; error below 2^-58.
+const SIN: [f64; 6] = [
+    -1.666_666_666_666_663_243_48e-1,
+    8.333_333_333_322_489_461_24e-3,
+    -1.984_126_982_985_794_931_34e-4,
+    2.755_731_370_707_006_767_89e-6,
+    -2.505_076_025_340_686_341_95e-8,
+    1.589_690_995_211_550_102_21e-10,
+];
+
+/// Minimax coefficients of (cos r - 1 + r^2/2) / r^4 in r^2, same source.
+const COS: [f64; 6] = [
+    4.166_666_666_666_660_190_37e-2,
+    -1.388_888_888_887_410_957_49e-3,
+    2.480_158_728_947_672_941_78e-5,
+    -2.755_731_435_139_066_330_35e-7,
+    2.087_572_321_298_174_827_90e-9,
+    -1.135_964_755_778_819_482_65e-11,
+];
+
+/// Sine and cosine of every lane, to about one unit in the last place; every lane at most [`MAX_REDUCED`] in size.
+///
+/// For units with a fused multiply-add: the reduction's first product has to be exact.
+#[inline(always)]
+pub(super) fn sin_cos<S: Simd>(x: Lanes<S>) -> Turn<Lanes<S>> {
+    let simd = x.simd;
+    let splat = |value| Lanes::splat(simd, value);
+    let shifted = x.mul_add(splat(FRAC_2_PI), splat(ROUNDING));
+    let quarters = shifted - splat(ROUNDING);
+    let r = quarters.mul_add(splat(-FRAC_PI_2), x);
+    let r = quarters.mul_add(splat(-FRAC_PI_2_TAIL), r);
+    let (sin, cos) = polynomials(r);
+    let bits = simd.transmute_u64s_f64s(shifted.value);
+    let one = simd.splat_u64s(1);
+    let odd = simd.equal_u64s(simd.and_u64s(bits, one), one);
+    let signed = |magnitude: S::f64s, quarters: S::u64s| {
+        // Bit 1 of the quarter count, moved to the sign.
+        let sign = simd.and_u64s(
+            simd.rotate_left_u64s(quarters, 62),
+            simd.splat_u64s(1 << 63),
+        );
+        let bits = simd.xor_u64s(simd.transmute_u64s_f64s(magnitude), sign);
+        Lanes {
+            simd,
+            value: simd.transmute_f64s_u64s(bits),
+        }
+    };
+    Turn {
+        sin: signed(simd.select_f64s(odd, cos.value, sin.value), bits),
+        cos: signed(
+            simd.select_f64s(odd, sin.value, cos.value),
+            simd.add_u64s(bits, one),
+        ),
+    }
+}
+
+/// Sine and cosine on [-pi/4, pi/4].
+#[inline(always)]
+fn polynomials<S: Simd>(r: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
+    let splat = |value| Lanes::splat(r.simd, value);
+    let z = r * r;
+    let horner = |coefficients: &[f64; 6]| {
+        let mut sum = splat(coefficients[5]);
+        for &coefficient in coefficients[..5].iter().rev() {
+            sum = sum.mul_add(z, splat(coefficient));
+        }
+        sum
+    };
+    let sin = (z * r).mul_add(horner(&SIN), r);
+    // 1 - z/2 rounds; what it loses is added to the small terms.
+    let half = z * splat(0.5);
+    let leading = splat(1.0) - half;
+    let lost = (splat(1.0) - leading) - half;
+    let cos = leading + (z * z).mul_add(horner(&COS), lost);
+    (sin, cos)
+}

@@ -181,6 +181,15 @@ impl DhRow {
         }
     }
 
+    /// The entry that moves, with the joint variable `q1`, `q2`, ... of row `index` (from 0) put back in.
+    pub fn moving_entry(&self, index: usize) -> Expr {
+        let offset = match self.moves {
+            Moves::Theta => &self.theta,
+            Moves::D => &self.d,
+        };
+        expr::with_variable(offset, &format!("q{}", index + 1), self.sign)
+    }
+
     fn exprs(&self) -> impl Iterator<Item = &Expr> {
         [&self.theta, &self.d, &self.a, &self.alpha].into_iter()
     }

@@ -9,6 +9,7 @@ mod print;
 
 pub use evaluate::Values;
 pub use linear::Linear;
+pub(super) use linear::with_variable;
 
 /// A formula over numbers, pi, symbols and the usual functions.
 ///

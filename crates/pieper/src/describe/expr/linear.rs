@@ -57,6 +57,23 @@ impl Expr {
     }
 }
 
+/// `offset + symbol` or `offset - symbol`: what [`Expr::split_at`] takes apart.
+pub(in crate::describe) fn with_variable(offset: &Expr, symbol: &str, sign: f64) -> Expr {
+    let symbol = Box::new(Expr::Symbol(symbol.to_owned()));
+    match (offset.is_zero(), sign < 0.0) {
+        (true, false) => *symbol,
+        (true, true) => Expr::Neg(symbol),
+        (false, negative) => {
+            let operator = if negative {
+                Operator::Sub
+            } else {
+                Operator::Add
+            };
+            Expr::Binary(operator, Box::new(offset.clone()), symbol)
+        }
+    }
+}
+
 /// The signed terms of a sum.
 fn collect<'a>(expr: &'a Expr, negative: bool, terms: &mut Vec<(bool, &'a Expr)>) {
     match expr {

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::describe::dh::{DhRow, FrameExpr, JointExpr, Moves};
-use crate::describe::expr::{Expr, Operator, Unit};
+use crate::describe::expr::{Expr, Unit, with_variable};
 use crate::describe::robot::{Form, Robot};
 use crate::describe::screws::Screw;
 use crate::error::{Error, Result};
@@ -77,10 +77,10 @@ impl Robot {
 }
 
 fn write_row(out: &mut String, index: usize, row: &DhRow) -> std::fmt::Result {
-    let moving = |offset: &Expr| quoted(&with_variable(offset, index, row.sign));
+    let moving = quoted(&row.moving_entry(index).to_string());
     let (theta, d) = match row.moves {
-        Moves::Theta => (moving(&row.theta), value(&row.d)),
-        Moves::D => (value(&row.theta), moving(&row.d)),
+        Moves::Theta => (moving, value(&row.d)),
+        Moves::D => (value(&row.theta), moving),
     };
     writeln!(
         out,
@@ -97,7 +97,8 @@ fn write_screw(out: &mut String, index: usize, screw: &Screw) -> std::fmt::Resul
     } else {
         "theta"
     };
-    let text = quoted(&with_variable(&screw.offset, index, screw.sign));
+    let variable = format!("q{}", index + 1);
+    let text = quoted(&with_variable(&screw.offset, &variable, screw.sign).to_string());
     writeln!(
         out,
         "\n[[screws]]\nh = {}\np = {}\n{key} = {text}",
@@ -135,24 +136,6 @@ fn write_frame(out: &mut String, name: &str, frame: &FrameExpr) -> std::fmt::Res
         list(&frame.xyz),
         list(&frame.rpy)
     )
-}
-
-/// `offset + q` with the variable where a person puts it.
-fn with_variable(offset: &Expr, index: usize, sign: f64) -> String {
-    let variable = Box::new(Expr::Symbol(format!("q{}", index + 1)));
-    let expr = match (offset.is_zero(), sign < 0.0) {
-        (true, false) => *variable,
-        (true, true) => Expr::Neg(variable),
-        (false, negative) => {
-            let operator = if negative {
-                Operator::Sub
-            } else {
-                Operator::Add
-            };
-            Expr::Binary(operator, Box::new(offset.clone()), variable)
-        }
-    };
-    expr.to_string()
 }
 
 /// A plain number as a TOML number, anything else as a string.

@@ -1,0 +1,31 @@
+//! The commands, one file each.
+
+mod fk;
+mod info;
+mod robots;
+
+use clap::Subcommand;
+
+use crate::error::{Failure, Outcome};
+
+/// What to do.
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// List the built-in robots
+    Robots(robots::Arguments),
+    /// Show a robot: table, frames at zero, limits, reach
+    Info(info::Arguments),
+    /// Forward kinematics: joint values in, the tool's pose out
+    Fk(fk::Arguments),
+}
+
+impl Command {
+    /// Does it.
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        match self {
+            Self::Robots(arguments) => arguments.run(),
+            Self::Info(arguments) => arguments.run(),
+            Self::Fk(arguments) => arguments.run(),
+        }
+    }
+}

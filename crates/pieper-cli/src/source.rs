@@ -1,0 +1,113 @@
+//! The argument ROBOT: a built-in name or a file, with its parameters.
+
+use std::fs;
+use std::path::Path;
+
+use clap::Args;
+use pieper::describe::{Expr, Robot};
+
+use crate::error::Failure;
+
+/// Files above this size are refused before they are read: no arm's description is that large.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// Which robot.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Source {
+    /// A built-in name (`pieper robots` lists them), or a .toml, .urdf or .xacro file
+    #[arg(value_name = "ROBOT")]
+    pub(crate) robot: String,
+
+    /// Set a parameter of the robot file, as in --set d1=0.4 --set "a2=350 mm"
+    #[arg(long = "set", value_name = "NAME=VALUE", value_delimiter = ',')]
+    set: Vec<String>,
+}
+
+impl Source {
+    /// The robot, its parameters set.
+    pub(crate) fn robot(&self) -> Result<Robot, Failure> {
+        let robot = match pieper_robots::find(&self.robot) {
+            Some(built_in) => built_in.robot(),
+            None => self.read()?,
+        };
+        let mut values = Vec::new();
+        for setting in &self.set {
+            let Some((name, value)) = setting.split_once('=') else {
+                return Err(Failure::input(format!(
+                    "--set {setting}: NAME=VALUE was expected, as in d1=0.4"
+                )));
+            };
+            let expr = Expr::parse(value.trim())
+                .map_err(|e| Failure::input(format!("--set {setting}: {e}")))?;
+            values.push((name.trim(), expr));
+        }
+        Ok(robot.with_parameters(values)?)
+    }
+
+    fn read(&self) -> Result<Robot, Failure> {
+        let path = Path::new(&self.robot);
+        let extension = path
+            .extension()
+            .and_then(|e| e.to_str())
+            .unwrap_or_default()
+            .to_ascii_lowercase();
+        match extension.as_str() {
+            "toml" => Ok(Robot::from_toml(&self.robot, &read_text(path)?)?),
+            _ if path.exists() => Err(Failure::input(format!(
+                "{}: a robot is read from a .toml, .urdf or .xacro file",
+                self.robot
+            ))),
+            _ => Err(self.unknown()),
+        }
+    }
+
+    fn unknown(&self) -> Failure {
+        let distance = |id: &str| edit_distance(&self.robot.to_ascii_lowercase(), id);
+        let nearest = pieper_robots::ALL
+            .iter()
+            .map(|robot| robot.id)
+            .min_by_key(|id| distance(id));
+        let hint = match nearest.filter(|id| distance(id) <= 2) {
+            Some(id) => format!("did you mean {id}?"),
+            None => "`pieper robots` lists the built-in ones".to_owned(),
+        };
+        Failure::input(format!(
+            "{}: neither a built-in robot nor a file; {hint}",
+            self.robot
+        ))
+    }
+}
+
+/// A text file, if it is one and not absurdly large.
+pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
+    let name = path.display();
+    let metadata = fs::metadata(path).map_err(|error| Failure::file("read", &name, &error))?;
+    if metadata.len() > MAX_BYTES {
+        let megabytes = MAX_BYTES >> 20;
+        return Err(Failure::input(format!(
+            "{name}: a file of at most {megabytes} MiB was expected"
+        )));
+    }
+    fs::read_to_string(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::InvalidData => {
+            Failure::input(format!("{name}: text in UTF-8 was expected"))
+        }
+        _ => Failure::file("read", &name, &error),
+    })
+}
+
+/// The number of single-character changes between two short names.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let replace = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = replace.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}

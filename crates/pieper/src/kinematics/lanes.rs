@@ -129,25 +129,18 @@ pub(super) fn sin_cos<S: Simd>(x: Lanes<S>) -> Turn<Lanes<S>> {
     let r = quarters.mul_add(splat(-FRAC_PI_2_TAIL), r);
     let (sin, cos) = polynomials(r);
     let bits = simd.transmute_u64s_f64s(shifted.value);
-    let one = simd.splat_u64s(1);
-    let odd = simd.equal_u64s(simd.and_u64s(bits, one), one);
-    let signed = |magnitude: S::f64s, quarters: S::u64s| {
-        // Bit 1 of the quarter count, moved to the sign.
-        let sign = simd.and_u64s(
-            simd.rotate_left_u64s(quarters, 62),
-            simd.splat_u64s(1 << 63),
-        );
-        let bits = simd.xor_u64s(simd.transmute_u64s_f64s(magnitude), sign);
-        Lanes {
-            simd,
-            value: simd.transmute_f64s_u64s(bits),
-        }
+    let (one, two) = (simd.splat_u64s(1), simd.splat_u64s(2));
+    let has = |bits: S::u64s, bit: S::u64s| simd.equal_u64s(simd.and_u64s(bits, bit), bit);
+    let odd = has(bits, one);
+    let signed = |magnitude: S::f64s, negative: S::m64s| {
+        let value = simd.select_f64s(negative, simd.neg_f64s(magnitude), magnitude);
+        Lanes { simd, value }
     };
     Turn {
-        sin: signed(simd.select_f64s(odd, cos.value, sin.value), bits),
+        sin: signed(simd.select_f64s(odd, cos.value, sin.value), has(bits, two)),
         cos: signed(
             simd.select_f64s(odd, sin.value, cos.value),
-            simd.add_u64s(bits, one),
+            has(simd.add_u64s(bits, one), two),
         ),
     }
 }

@@ -14,6 +14,7 @@ mod chain;
 mod joint;
 mod tree;
 
+pub(crate) use canonical::PACK;
 pub use canonical::{Canonical, LinkShape, Row, Rows, Step};
 pub use chain::{Chain, ChainParts};
 pub use joint::{Drive, Joint, JointKind, Limits, Motion, Variable};

@@ -264,7 +264,8 @@ fn block<S: Simd>(
             Moved::Slid(displacement)
         }
     };
-    let frame = single::run(canonical, frame, splat, motion, |_, _| {});
+    let mut frame = single::run(&canonical.steps, frame, splat, motion, |_, _| {});
+    single::append_tail(&mut frame, canonical, splat);
     let columns = [frame.x, frame.y, frame.z, frame.p];
     for (entry, lanes) in columns.into_iter().flatten().enumerate() {
         simd.partial_store_f64s(&mut out[entry][to..to + S::F64_LANES], lanes.value);

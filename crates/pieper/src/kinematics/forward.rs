@@ -22,8 +22,7 @@ use crate::spatial::Pose;
 /// # Ok::<(), pieper::Error>(())
 /// ```
 pub fn tool_pose(chain: &Chain, q: &[f64]) -> Result<Pose> {
-    chain.check_joint_values(q)?;
-    Ok(single::tool_pose(chain.canonical(), q, &mut Nothing))
+    single::checked_tool_pose(chain, q, &mut Nothing)
 }
 
 /// The pose of every link at the joint vector `q`, one for each of [`Chain::joints`], into `poses`.

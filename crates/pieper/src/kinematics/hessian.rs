@@ -18,7 +18,6 @@ use crate::spatial::Pose;
 /// # Errors
 /// An input error unless `q` has one finite value for each variable.
 pub fn hessian(chain: &Chain, q: &[f64], slices: &mut Vec<Jacobian>) -> Result<Pose> {
-    chain.check_joint_values(q)?;
     let dof = chain.dof();
     slices.resize_with(dof, || Jacobian::zeros(dof));
     for slice in slices.iter_mut() {
@@ -26,7 +25,7 @@ pub fn hessian(chain: &Chain, q: &[f64], slices: &mut Vec<Jacobian>) -> Result<P
         slice.fill(0.0);
     }
     let mut axes = Axes(Vec::with_capacity(chain.canonical().steps.len()));
-    let pose = single::tool_pose(chain.canonical(), q, &mut axes);
+    let pose = single::checked_tool_pose(chain, q, &mut axes)?;
     let p = pose.translation.vector;
     for axis in &mut axes.0 {
         axis.v += axis.w.cross(&p);

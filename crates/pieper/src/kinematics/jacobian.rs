@@ -45,13 +45,12 @@ pub fn pose_and_jacobian(
     reference: Reference,
     jacobian: &mut Jacobian,
 ) -> Result<Pose> {
-    chain.check_joint_values(q)?;
     if jacobian.ncols() != chain.dof() {
         *jacobian = Jacobian::zeros(chain.dof());
     }
     jacobian.fill(0.0);
     let mut moments = Moments { jacobian };
-    let pose = single::tool_pose(chain.canonical(), q, &mut moments);
+    let pose = single::checked_tool_pose(chain, q, &mut moments)?;
     finish(&pose, reference, jacobian);
     Ok(pose)
 }

@@ -1,19 +1,23 @@
 //! One pose as fast as it goes: all sines and cosines in one vector call, a column of the frame in one register.
 
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
 use super::kernel::{Column, Frame, Turn};
-use crate::model::{Canonical, LinkShape, Step};
+use crate::error::Result;
+use crate::model::{Canonical, Chain, LinkShape, Step};
 use crate::spatial::Pose;
 
-/// Runs the chain's product from its base; `visit` sees each step with the frame whose z is the step's axis.
+/// Runs steps of a chain's product on from `frame`; `visit` sees each step with the frame whose z is the step's axis.
 #[inline(always)]
 pub(super) fn run<C: Column>(
-    canonical: &Canonical,
+    steps: &[Step],
     mut frame: Frame<C>,
     lift: impl Fn(f64) -> C::Scalar + Copy,
     mut motion: impl FnMut(usize, &Step) -> Moved<C::Scalar>,
     mut visit: impl FnMut(&Step, &Frame<C>),
 ) -> Frame<C> {
-    for (index, step) in canonical.steps.iter().enumerate() {
+    for (index, step) in steps.iter().enumerate() {
         visit(step, &frame);
         match motion(index, step) {
             Moved::Turned(turn) => frame.turn_z(&turn),
@@ -21,10 +25,19 @@ pub(super) fn run<C: Column>(
         }
         append_link(&mut frame, &step.link, lift);
     }
+    frame
+}
+
+/// Appends what is left between the last step and the tool.
+#[inline(always)]
+pub(super) fn append_tail<C: Column>(
+    frame: &mut Frame<C>,
+    canonical: &Canonical,
+    lift: impl Fn(f64) -> C::Scalar,
+) {
     if let Some(tail) = &canonical.tail {
         frame.append(&rows_of(tail, lift));
     }
-    frame
 }
 
 /// What a joint did.
@@ -50,10 +63,10 @@ fn append_link<C: Column>(
             alpha,
             quarters,
         } => {
-            if theta.0 != 0.0 || theta.1 != 1.0 {
+            if let Some((sin, cos)) = *theta {
                 frame.turn_z(&Turn {
-                    sin: lift(theta.0),
-                    cos: lift(theta.1),
+                    sin: lift(sin),
+                    cos: lift(cos),
                 });
             }
             if *d != 0.0 {
@@ -123,7 +136,15 @@ pub(super) fn tool_frame_plain(
             Moved::Slid(displacement)
         }
     };
-    run(canonical, base_frame(&canonical.base), |x| x, motion, visit)
+    let mut frame = run(
+        &canonical.steps,
+        base_frame(&canonical.base),
+        |x| x,
+        motion,
+        visit,
+    );
+    append_tail(&mut frame, canonical, |x| x);
+    frame
 }
 
 /// What a caller wants of the frames before each joint: the axis and a point on it.
@@ -140,188 +161,42 @@ impl Record for Nothing {
     fn axis(&mut self, _: &Step, _: [f64; 3], _: [f64; 3]) {}
 }
 
-/// The tool's pose by the fastest way this processor has; `record` sees the axes.
+/// The tool's pose by the fastest way this processor has; `record` sees the axes. `None` if a displacement is not
+/// finite; `q` has one value for each variable.
 #[inline(always)]
-pub(super) fn tool_pose(canonical: &Canonical, q: &[f64], record: &mut impl Record) -> Pose {
+pub(super) fn tool_pose(
+    canonical: &Canonical,
+    q: &[f64],
+    record: &mut impl Record,
+) -> Option<Pose> {
     #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = pulp::x86::V3::try_new() {
-        return avx2::tool_pose(simd, canonical, q, record);
+    {
+        if let Some(simd) = pulp::x86::V4::try_new() {
+            return x86::tool_pose(simd, *simd, canonical, q, record);
+        }
+        if let Some(simd) = pulp::x86::V3::try_new() {
+            return x86::tool_pose(simd, simd, canonical, q, record);
+        }
+    }
+    let displacement = |step: &Step| step.drive.displacement(q);
+    if !canonical
+        .steps
+        .iter()
+        .all(|step| displacement(step).is_finite())
+    {
+        return None;
     }
     let visit = |step: &Step, frame: &Frame<[f64; 3]>| record.axis(step, frame.z, frame.p);
-    pose_of(&tool_frame_plain(
-        canonical,
-        |step| step.drive.displacement(q),
-        visit,
-    ))
+    Some(pose_of(&tool_frame_plain(canonical, displacement, visit)))
 }
 
-#[cfg(target_arch = "x86_64")]
-mod avx2 {
-    use pulp::x86::V3;
-    use pulp::{Simd, f64x4};
-
-    use super::super::lanes::{self, Lanes};
-    use super::{Moved, Record, run};
-    use crate::kinematics::kernel::{Column, Frame, Turn};
-    use crate::model::{Canonical, Step};
-    use crate::spatial::Pose;
-
-    /// A column in one register; the fourth lane is idle.
-    #[derive(Clone, Copy)]
-    struct Quad {
-        simd: V3,
-        value: f64x4,
-    }
-
-    impl Quad {
-        #[inline(always)]
-        fn new(simd: V3, [x, y, z]: [f64; 3]) -> Self {
-            Self {
-                simd,
-                value: f64x4(x, y, z, 0.0),
-            }
-        }
-
-        #[inline(always)]
-        fn array(self) -> [f64; 3] {
-            let f64x4(x, y, z, _) = self.value;
-            [x, y, z]
-        }
-    }
-
-    impl Column for Quad {
-        type Scalar = f64;
-
-        #[inline(always)]
-        fn scaled(&self, by: &f64) -> Self {
-            let by = self.simd.splat_f64s(*by);
-            Self {
-                value: self.simd.mul_f64s(self.value, by),
-                ..*self
-            }
-        }
-
-        #[inline(always)]
-        fn scaled_plus(&self, by: &f64, other: &Self) -> Self {
-            let by = self.simd.splat_f64s(*by);
-            Self {
-                value: self.simd.mul_add_f64s(self.value, by, other.value),
-                ..*self
-            }
-        }
-
-        #[inline(always)]
-        fn negated(&self) -> Self {
-            Self {
-                value: self.simd.neg_f64s(self.value),
-                ..*self
-            }
-        }
-    }
-
-    /// Steps whose sines and cosines are computed in one go.
-    const CHUNK: usize = 8;
-
-    struct Call<'a, R> {
-        simd: V3,
-        canonical: &'a Canonical,
-        q: &'a [f64],
-        record: &'a mut R,
-    }
-
-    pub(super) fn tool_pose(
-        simd: V3,
-        canonical: &Canonical,
-        q: &[f64],
-        record: &mut impl Record,
-    ) -> Pose {
-        simd.vectorize(Call {
-            simd,
-            canonical,
-            q,
-            record,
-        })
-    }
-
-    impl<R: Record> pulp::NullaryFnOnce for Call<'_, R> {
-        type Output = Pose;
-
-        #[inline(always)]
-        fn call(self) -> Pose {
-            let Self {
-                simd,
-                canonical,
-                q,
-                record,
-            } = self;
-            let mut turns = Turns {
-                angles: [0.0; CHUNK],
-                sin: [0.0; CHUNK],
-                cos: [0.0; CHUNK],
-            };
-            let base = super::base_frame(&canonical.base);
-            let frame = Frame {
-                x: Quad::new(simd, base.x),
-                y: Quad::new(simd, base.y),
-                z: Quad::new(simd, base.z),
-                p: Quad::new(simd, base.p),
-            };
-            let motion = |index: usize, step: &Step| {
-                if index.is_multiple_of(CHUNK) {
-                    turns.fill(simd, &canonical.steps[index..], q);
-                }
-                let at = index % CHUNK;
-                if step.turns {
-                    Moved::Turned(Turn {
-                        sin: turns.sin[at],
-                        cos: turns.cos[at],
-                    })
-                } else {
-                    Moved::Slid(turns.angles[at])
-                }
-            };
-            let visit = |step: &Step, frame: &Frame<Quad>| {
-                record.axis(step, frame.z.array(), frame.p.array());
-            };
-            let frame = run(canonical, frame, |x| x, motion, visit);
-            let columns = [frame.x, frame.y, frame.z, frame.p].map(Quad::array);
-            let [x, y, z, p] = columns;
-            super::pose_of(&Frame { x, y, z, p })
-        }
-    }
-
-    /// Displacements of a few steps, with the sines and cosines of those that turn.
-    struct Turns {
-        angles: [f64; CHUNK],
-        sin: [f64; CHUNK],
-        cos: [f64; CHUNK],
-    }
-
-    impl Turns {
-        #[inline(always)]
-        fn fill(&mut self, simd: V3, steps: &[Step], q: &[f64]) {
-            let mut largest = 0.0_f64;
-            for (angle, step) in self.angles.iter_mut().zip(steps) {
-                *angle = step.drive.displacement(q);
-                largest = largest.max(angle.abs());
-            }
-            if largest > lanes::MAX_REDUCED {
-                for at in 0..CHUNK {
-                    (self.sin[at], self.cos[at]) = self.angles[at].sin_cos();
-                }
-                return;
-            }
-            for at in [0, 4] {
-                let [a, b, c, d] = [0, 1, 2, 3].map(|lane| self.angles[at + lane]);
-                let turn = lanes::sin_cos(Lanes {
-                    simd,
-                    value: f64x4(a, b, c, d),
-                });
-                let store =
-                    |to: &mut [f64], f64x4(a, b, c, d): f64x4| to.copy_from_slice(&[a, b, c, d]);
-                store(&mut self.sin[at..at + 4], turn.sin.value);
-                store(&mut self.cos[at..at + 4], turn.cos.value);
-            }
-        }
-    }
+/// [`tool_pose`] with its errors in words.
+#[inline(always)]
+pub(super) fn checked_tool_pose(
+    chain: &Chain,
+    q: &[f64],
+    record: &mut impl Record,
+) -> Result<Pose> {
+    chain.check_joint_count(q)?;
+    tool_pose(chain.canonical(), q, record).ok_or_else(|| chain.not_finite_error(q))
 }

@@ -19,6 +19,38 @@ pub struct Canonical {
     pub steps: Vec<Step>,
     /// What is left between the last link and the tool; `None` where it is the identity.
     pub tail: Option<Pose>,
+    packed: PackedDrives,
+}
+
+/// The drives of all steps as arrays that vector instructions load, padded with zeros to a multiple of [`PACK`].
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PackedDrives {
+    pub(crate) factors: Vec<[f64; PACK]>,
+    pub(crate) offsets: Vec<[f64; PACK]>,
+    /// Whether step `i` is driven by variable `i` throughout: then `q` itself can be loaded.
+    pub(crate) in_order: bool,
+}
+
+/// Drives in one pack: the lanes of the widest register.
+pub(crate) const PACK: usize = 8;
+
+impl PackedDrives {
+    fn of(steps: &[Step]) -> Self {
+        let pack = |value: fn(&Drive) -> f64| {
+            let chunk = |chunk: &[Step]| {
+                std::array::from_fn(|lane| chunk.get(lane).map_or(0.0, |step| value(&step.drive)))
+            };
+            steps.chunks(PACK).map(chunk).collect()
+        };
+        Self {
+            factors: pack(|drive| drive.factor),
+            offsets: pack(|drive| drive.offset),
+            in_order: steps
+                .iter()
+                .enumerate()
+                .all(|(index, step)| step.drive.variable == index),
+        }
+    }
 }
 
 /// One moving joint and the link behind it.
@@ -37,8 +69,8 @@ pub struct Step {
 pub enum LinkShape {
     /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`; theta is 0 behind a joint that turns.
     Dh {
-        /// Sine and cosine of theta.
-        theta: (f64, f64),
+        /// Sine and cosine of theta; `None` where theta is 0.
+        theta: Option<(f64, f64)>,
         /// Shift along z, metres.
         d: f64,
         /// Shift along the turned x, metres.
@@ -56,7 +88,7 @@ impl LinkShape {
     /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`, angles by sine and cosine.
     fn dh(theta: (f64, f64), d: f64, a: f64, alpha: (f64, f64)) -> Self {
         Self::Dh {
-            theta,
+            theta: (theta != (0.0, 1.0)).then_some(theta),
             d,
             a,
             alpha,
@@ -69,12 +101,13 @@ impl LinkShape {
         match *self {
             Self::General(pose) => pose,
             Self::Dh {
-                theta: (st, ct),
+                theta,
                 d,
                 a,
                 alpha: (sa, ca),
                 ..
             } => {
+                let (st, ct) = theta.unwrap_or((0.0, 1.0));
                 let m = Matrix3::new(ct, -st * ca, st * sa, st, ct * ca, -ct * sa, 0.0, sa, ca);
                 let rotation = Rotation3::from_matrix_unchecked(m);
                 Pose::from_parts(Vector3::new(a * ct, a * st, d).into(), rotation)
@@ -106,7 +139,17 @@ impl Canonical {
             carried = rest;
         }
         let tail = (carried != Pose::identity()).then_some(carried);
-        Self { base, steps, tail }
+        let packed = PackedDrives::of(&steps);
+        Self {
+            base,
+            steps,
+            tail,
+            packed,
+        }
+    }
+
+    pub(crate) fn packed(&self) -> &PackedDrives {
+        &self.packed
     }
 
     /// The constant link behind step `index`; the last one includes the tail.
@@ -170,7 +213,7 @@ impl Canonical {
                 ));
             };
             let angle = |(sin, cos): (f64, f64)| spatial::snap(sin.atan2(cos));
-            let (theta, alpha) = (angle(theta), angle(alpha));
+            let (theta, alpha) = (theta.map_or(0.0, angle), angle(alpha));
             rows.push(Row {
                 turns: step.turns,
                 drive,

@@ -101,13 +101,30 @@ impl Chain {
     /// # Errors
     /// An input error with both counts, or with the joint whose value is not finite.
     pub fn check_joint_values(&self, q: &[f64]) -> Result<()> {
-        if q.len() != self.dof() {
-            return Err(self.wrong_count(q.len()));
-        }
+        self.check_joint_count(q)?;
         match q.iter().position(|value| !value.is_finite()) {
             None => Ok(()),
             Some(index) => Err(self.not_finite(index, q[index])),
         }
+    }
+
+    /// An error unless `q` has one value for each variable.
+    pub(crate) fn check_joint_count(&self, q: &[f64]) -> Result<()> {
+        if q.len() == self.dof() {
+            Ok(())
+        } else {
+            Err(self.wrong_count(q.len()))
+        }
+    }
+
+    /// The error that names the first value of `q` that is not finite or drives a joint out of all bounds.
+    #[cold]
+    pub(crate) fn not_finite_error(&self, q: &[f64]) -> Error {
+        let index = q.iter().position(|value| !value.is_finite());
+        // Finite values whose displacement overflows: the largest is to blame.
+        let largest = || (0..q.len()).max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs()));
+        let index = index.or_else(largest).unwrap_or(0);
+        self.not_finite(index, q[index])
     }
 
     /// The variables that `q` takes outside their limits, as sentences for a person.

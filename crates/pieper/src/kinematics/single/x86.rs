@@ -1,0 +1,209 @@
+//! One pose on AVX2 or AVX-512: sines and cosines in the widest lanes, a column of the frame in four.
+
+use pulp::x86::V3;
+use pulp::{NullaryFnOnce, Simd, f64x4};
+
+use super::{Moved, Record, append_tail, base_frame, pose_of, run};
+use crate::kinematics::kernel::{Column, Frame, Turn};
+use crate::kinematics::lanes::{self, Lanes};
+use crate::model::{Canonical, PACK, Step};
+use crate::spatial::Pose;
+
+/// A column in one register; the fourth lane is idle.
+#[derive(Clone, Copy)]
+struct Quad {
+    simd: V3,
+    value: f64x4,
+}
+
+impl Quad {
+    #[inline(always)]
+    fn new(simd: V3, [x, y, z]: [f64; 3]) -> Self {
+        Self {
+            simd,
+            value: f64x4(x, y, z, 0.0),
+        }
+    }
+
+    #[inline(always)]
+    fn array(self) -> [f64; 3] {
+        let f64x4(x, y, z, _) = self.value;
+        [x, y, z]
+    }
+}
+
+impl Column for Quad {
+    type Scalar = f64;
+
+    #[inline(always)]
+    fn scaled(&self, by: &f64) -> Self {
+        let by = self.simd.splat_f64s(*by);
+        Self {
+            value: self.simd.mul_f64s(self.value, by),
+            ..*self
+        }
+    }
+
+    #[inline(always)]
+    fn scaled_plus(&self, by: &f64, other: &Self) -> Self {
+        let by = self.simd.splat_f64s(*by);
+        Self {
+            value: self.simd.mul_add_f64s(self.value, by, other.value),
+            ..*self
+        }
+    }
+
+    #[inline(always)]
+    fn negated(&self) -> Self {
+        Self {
+            value: self.simd.neg_f64s(self.value),
+            ..*self
+        }
+    }
+}
+
+/// The call, as what runs with the processor's features switched on.
+struct Call<'a, S, R> {
+    wide: S,
+    narrow: V3,
+    canonical: &'a Canonical,
+    q: &'a [f64],
+    record: &'a mut R,
+}
+
+#[inline(always)]
+pub(super) fn tool_pose<S: Simd>(
+    wide: S,
+    narrow: V3,
+    canonical: &Canonical,
+    q: &[f64],
+    record: &mut impl Record,
+) -> Option<Pose> {
+    wide.vectorize(Call {
+        wide,
+        narrow,
+        canonical,
+        q,
+        record,
+    })
+}
+
+impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
+    type Output = Option<Pose>;
+
+    #[inline(always)]
+    fn call(self) -> Option<Pose> {
+        let Self {
+            wide,
+            narrow,
+            canonical,
+            q,
+            record,
+        } = self;
+        let base = base_frame(&canonical.base);
+        let column = |column| Quad::new(narrow, column);
+        let mut frame = Frame {
+            x: column(base.x),
+            y: column(base.y),
+            z: column(base.z),
+            p: column(base.p),
+        };
+        for (pack, steps) in canonical.steps.chunks(PACK).enumerate() {
+            let moved = Displacements::of(wide, canonical, pack, steps, q)?;
+            let motion = |index: usize, step: &Step| {
+                if step.turns {
+                    Moved::Turned(Turn {
+                        sin: moved.sin[index],
+                        cos: moved.cos[index],
+                    })
+                } else {
+                    Moved::Slid(moved.values[index])
+                }
+            };
+            let visit = |step: &Step, frame: &Frame<Quad>| {
+                record.axis(step, frame.z.array(), frame.p.array())
+            };
+            frame = run(steps, frame, |x| x, motion, visit);
+        }
+        append_tail(&mut frame, canonical, |x| x);
+        let [x, y, z, p] = [frame.x, frame.y, frame.z, frame.p].map(Quad::array);
+        Some(pose_of(&Frame { x, y, z, p }))
+    }
+}
+
+/// Displacements of a pack of steps, with their sines and cosines.
+struct Displacements {
+    values: [f64; PACK],
+    sin: [f64; PACK],
+    cos: [f64; PACK],
+}
+
+impl Displacements {
+    /// `None` if one is not finite.
+    #[inline(always)]
+    fn of<S: Simd>(
+        simd: S,
+        canonical: &Canonical,
+        pack: usize,
+        steps: &[Step],
+        q: &[f64],
+    ) -> Option<Self> {
+        let drives = canonical.packed();
+        let (factors, offsets) = (&drives.factors[pack], &drives.offsets[pack]);
+        let mut gathered = [0.0; PACK];
+        let q = if drives.in_order {
+            &q[pack * PACK..]
+        } else {
+            for (value, step) in gathered.iter_mut().zip(steps) {
+                *value = q[step.drive.variable];
+            }
+            &gathered[..]
+        };
+        let mut moved = Self {
+            values: [0.0; PACK],
+            sin: [0.0; PACK],
+            cos: [0.0; PACK],
+        };
+        let limit = simd.splat_f64s(lanes::MAX_REDUCED);
+        let mut large = false;
+        for at in (0..PACK).step_by(S::F64_LANES) {
+            let lanes = at..at + S::F64_LANES;
+            let load = |from: &[f64]| Lanes {
+                simd,
+                value: simd.partial_load_f64s(from),
+            };
+            let value = load(q.get(at..q.len().min(lanes.end)).unwrap_or_default());
+            let value = value * load(&factors[lanes.clone()]) + load(&offsets[lanes.clone()]);
+            let small = simd.less_than_f64s(simd.abs_f64s(value.value), limit);
+            large |= simd.first_true_m64s(simd.xor_m64s(small, all(simd))) < S::F64_LANES;
+            let turn = lanes::sin_cos(value);
+            simd.partial_store_f64s(&mut moved.values[lanes.clone()], value.value);
+            simd.partial_store_f64s(&mut moved.sin[lanes.clone()], turn.sin.value);
+            simd.partial_store_f64s(&mut moved.cos[lanes], turn.cos.value);
+        }
+        if large {
+            moved.by_the_standard_library()
+        } else {
+            Some(moved)
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn by_the_standard_library(mut self) -> Option<Self> {
+        for lane in 0..PACK {
+            (self.sin[lane], self.cos[lane]) = self.values[lane].sin_cos();
+        }
+        self.values
+            .iter()
+            .all(|value| value.is_finite())
+            .then_some(self)
+    }
+}
+
+/// The mask of all lanes.
+#[inline(always)]
+fn all<S: Simd>(simd: S) -> S::m64s {
+    let zero = simd.splat_u64s(0);
+    simd.equal_u64s(zero, zero)
+}

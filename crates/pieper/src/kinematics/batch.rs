@@ -7,11 +7,12 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::kernel::Frame;
+use super::kernel::{Frame, Turn};
 use super::lanes::{self, Lanes};
 use super::single::{self, Moved};
 use crate::error::{Error, Result};
-use crate::model::{Canonical, Chain, Step};
+use crate::model::{Canonical, Chain, PACK, Step};
+use crate::scalar::Scalar;
 use crate::spatial::Pose;
 
 /// Joint vectors, joint by joint: value `j` of vector `k` stands at `j * count + k`.
@@ -211,25 +212,27 @@ impl WithSimd for Batch<'_> {
         } = self;
         let count = out[0].len();
         let width = S::F64_LANES;
-        let mut done = 0;
         // A single lane has no fused multiply-add to reduce angles with: the plain way is the faster one there.
-        while width > 1 && done + width <= count {
-            if !block(simd, canonical, q, start + done, &mut out, done) {
-                let bad = (done..done + width)
-                    .find_map(|at| plain(canonical, q, start + at, &mut out, at));
-                if bad.is_some() {
-                    return bad;
-                }
+        let blocks = if width > 1 { count / width } else { 0 };
+        for block in 0..blocks {
+            let (from, to) = (start + block * width, block * width);
+            if several(simd, canonical, q, from, &mut out, to) {
+                continue;
             }
-            done += width;
+            let bad =
+                (0..width).find_map(|lane| plain(canonical, q, from + lane, &mut out, to + lane));
+            if bad.is_some() {
+                return bad;
+            }
         }
-        (done..count).find_map(|at| plain(canonical, q, start + at, &mut out, at))
+        (blocks * width..count).find_map(|at| plain(canonical, q, start + at, &mut out, at))
     }
 }
 
-/// One register's worth of poses; `false`, and nothing useful written, if an angle is too large or not finite.
+/// One register's worth of poses, of the vectors from `from` on, written from place `to` on; `false`, and nothing of
+/// use written, if an angle is too large or not finite.
 #[inline(always)]
-fn block<S: Simd>(
+fn several<S: Simd>(
     simd: S,
     canonical: &Canonical,
     q: &JointBatch,
@@ -239,39 +242,66 @@ fn block<S: Simd>(
 ) -> bool {
     let splat = |value: f64| Lanes::splat(simd, value);
     let base = single::base_frame(&canonical.base);
-    let frame = Frame {
-        x: base.x.map(splat),
-        y: base.y.map(splat),
-        z: base.z.map(splat),
-        p: base.p.map(splat),
+    let row = |r: usize| Frame {
+        x: splat(base.x[r]),
+        y: splat(base.y[r]),
+        z: splat(base.z[r]),
+        p: splat(base.p[r]),
     };
-    let limit = simd.splat_f64s(lanes::MAX_REDUCED);
-    let mut small = simd.less_than_f64s(simd.splat_f64s(0.0), limit);
-    let motion = |_: usize, step: &Step| {
-        let values = &q.joint(step.drive.variable)[from..from + S::F64_LANES];
-        let value = Lanes {
-            simd,
-            value: simd.partial_load_f64s(values),
-        };
-        let displacement = value * splat(step.drive.factor) + splat(step.drive.offset);
-        small = simd.and_m64s(
-            small,
-            simd.less_than_f64s(simd.abs_f64s(displacement.value), limit),
-        );
-        if step.turns {
-            Moved::Turned(lanes::sin_cos(displacement))
-        } else {
-            Moved::Slid(displacement)
+    let mut rows = [row(0), row(1), row(2)];
+    let mut sizes = splat(0.0);
+    for steps in canonical.steps.chunks(PACK) {
+        // All sines and cosines first: they are independent of one another, the product is one long chain.
+        let mut turns = [Turn {
+            sin: splat(0.0),
+            cos: splat(0.0),
+        }; PACK];
+        for (turn, step) in turns.iter_mut().zip(steps) {
+            let values = &q.joint(step.drive.variable)[from..from + S::F64_LANES];
+            let value = Lanes {
+                simd,
+                value: S::as_simd_f64s(values).0[0],
+            };
+            let displacement = value.mul_add(splat(step.drive.factor), splat(step.drive.offset));
+            // Adding sizes, unlike comparing them, keeps what is not a number.
+            sizes = sizes
+                + Lanes {
+                    simd,
+                    value: simd.abs_f64s(displacement.value),
+                };
+            *turn = if step.turns {
+                lanes::sin_cos(displacement)
+            } else {
+                Turn {
+                    sin: displacement,
+                    cos: displacement,
+                }
+            };
         }
-    };
-    let mut frame = single::run(&canonical.steps, frame, splat, motion, |_, _| {});
-    single::append_tail(&mut frame, canonical, splat);
-    let columns = [frame.x, frame.y, frame.z, frame.p];
-    for (entry, lanes) in columns.into_iter().flatten().enumerate() {
-        simd.partial_store_f64s(&mut out[entry][to..to + S::F64_LANES], lanes.value);
+        // A motion from the right acts on each row by itself; the four numbers of one row stay in registers.
+        for row in &mut rows {
+            let motion = |index: usize, step: &Step| {
+                if step.turns {
+                    Moved::Turned(turns[index])
+                } else {
+                    Moved::Slid(turns[index].sin)
+                }
+            };
+            *row = single::run(steps, *row, splat, motion, |_, _| {});
+        }
     }
-    simd.first_true_m64s(simd.xor_m64s(small, simd.less_than_f64s(simd.splat_f64s(0.0), limit)))
-        >= S::F64_LANES
+    for (r, row) in rows.iter_mut().enumerate() {
+        single::append_tail(row, canonical, splat);
+        let mut store = |column: usize, value: Lanes<S>| {
+            S::as_mut_simd_f64s(&mut out[3 * column + r][to..to + S::F64_LANES]).0[0] = value.value;
+        };
+        store(0, row.x);
+        store(1, row.y);
+        store(2, row.z);
+        store(3, row.p);
+    }
+    let small = simd.less_than_f64s(sizes.value, simd.splat_f64s(lanes::MAX_REDUCED));
+    lanes::all_true(simd, small)
 }
 
 /// One pose with the standard library's sine and cosine; the vector's index if a value is not finite.

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use super::jacobian::Jacobian;
-use super::single::{self, Record};
+use super::kernel::Frame;
+use super::single::{self, Record, SpaceColumn};
 use crate::error::Result;
 use crate::model::{Chain, Step};
 use crate::spatial::Pose;
@@ -26,10 +27,6 @@ pub fn hessian(chain: &Chain, q: &[f64], slices: &mut Vec<Jacobian>) -> Result<P
     }
     let mut axes = Axes(Vec::with_capacity(chain.canonical().steps.len()));
     let pose = single::checked_tool_pose(chain, q, &mut axes)?;
-    let p = pose.translation.vector;
-    for axis in &mut axes.0 {
-        axis.v += axis.w.cross(&p);
-    }
     for (i, inner) in axes.0.iter().enumerate() {
         for (j, outer) in axes.0.iter().enumerate() {
             let (v, w) = if i <= j {
@@ -47,7 +44,7 @@ pub fn hessian(chain: &Chain, q: &[f64], slices: &mut Vec<Jacobian>) -> Result<P
     Ok(pose)
 }
 
-/// The axes of a chain, each with the velocity its variable gives the base's origin.
+/// The axes of a chain, each with the velocity its variable gives the base's origin; in the end, the tool point.
 struct Axes(Vec<AxisVelocity>);
 
 struct AxisVelocity {
@@ -57,8 +54,11 @@ struct AxisVelocity {
 }
 
 impl Record for Axes {
-    fn axis(&mut self, step: &Step, z: [f64; 3], o: [f64; 3]) {
-        let (z, o) = (Vector3::from(z) * step.drive.factor, Vector3::from(o));
+    fn axis<C: SpaceColumn>(&mut self, step: &Step, frame: &Frame<C>) {
+        let (z, o) = (
+            Vector3::from(frame.z.store()) * step.drive.factor,
+            Vector3::from(frame.p.store()),
+        );
         let (v, w) = if step.turns {
             (o.cross(&z), z)
         } else {
@@ -69,5 +69,12 @@ impl Record for Axes {
             v,
             w,
         });
+    }
+
+    fn tool<C: SpaceColumn>(&mut self, frame: &Frame<C>) {
+        let p = Vector3::from(frame.p.store());
+        for axis in &mut self.0 {
+            axis.v += axis.w.cross(&p);
+        }
     }
 }

@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix6xX, Vector3};
 
-use super::single::{self, Record};
+use super::kernel::Frame;
+use super::single::{self, Record, SpaceColumn};
 use crate::error::Result;
-use crate::model::{Chain, Step};
+use crate::model::{Canonical, Chain, Step};
 use crate::spatial::Pose;
 
 /// A Jacobian: six rows (linear velocity x, y, z of the tool point in m/s, then angular velocity x, y, z in rad/s),
@@ -48,51 +49,106 @@ pub fn pose_and_jacobian(
     if jacobian.ncols() != chain.dof() {
         *jacobian = Jacobian::zeros(chain.dof());
     }
-    jacobian.fill(0.0);
-    let mut moments = Moments { jacobian };
-    let pose = single::checked_tool_pose(chain, q, &mut moments)?;
-    finish(&pose, reference, jacobian);
+    let packed = chain.canonical().packed();
+    let pose = if packed.in_order {
+        let mut levers = Levers {
+            columns: columns_of(jacobian),
+            canonical: chain.canonical(),
+            count: 0,
+        };
+        single::checked_tool_pose(chain, q, &mut levers)?
+    } else {
+        jacobian.fill(0.0);
+        single::checked_tool_pose(
+            chain,
+            q,
+            &mut Moments {
+                columns: columns_of(jacobian),
+            },
+        )?
+    };
+    if reference == Reference::Tool {
+        let turn = pose.rotation.inverse();
+        for column in columns_of(jacobian) {
+            let [a, b, c, d, e, f] = *column;
+            let (v, w) = (turn * Vector3::new(a, b, c), turn * Vector3::new(d, e, f));
+            *column = [v.x, v.y, v.z, w.x, w.y, w.z];
+        }
+    }
     Ok(pose)
 }
 
-/// Collects, for each variable, the sum of its axes (as angular velocity) and of what they do to the base's origin.
+/// The columns as they lie in memory.
+#[inline(always)]
+fn columns_of(jacobian: &mut Jacobian) -> &mut [[f64; 6]] {
+    jacobian.as_mut_slice().as_chunks_mut().0
+}
+
+/// One joint a column: keeps each axis and a point on it in its column, and makes the velocity of them in the end.
+struct Levers<'a> {
+    columns: &'a mut [[f64; 6]],
+    canonical: &'a Canonical,
+    count: usize,
+}
+
+impl Record for Levers<'_> {
+    #[inline(always)]
+    fn axis<C: SpaceColumn>(&mut self, _: &Step, frame: &Frame<C>) {
+        let (upper, lower) = halves(&mut self.columns[self.count]);
+        *upper = frame.p.store();
+        *lower = frame.z.store();
+        self.count += 1;
+    }
+
+    #[inline(always)]
+    fn tool<C: SpaceColumn>(&mut self, tool: &Frame<C>) {
+        for (column, step) in self.columns.iter_mut().zip(&self.canonical.steps) {
+            let (upper, lower) = halves(column);
+            let z = tool.z.load(lower).scaled(&step.drive.factor);
+            if step.turns {
+                *upper = z.cross(&tool.p.minus(&tool.p.load(upper))).store();
+                *lower = z.store();
+            } else {
+                (*upper, *lower) = (z.store(), [0.0; 3]);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn halves(column: &mut [f64; 6]) -> (&mut [f64; 3], &mut [f64; 3]) {
+    let (upper, lower) = column.as_chunks_mut::<3>().0.split_at_mut(1);
+    (&mut upper[0], &mut lower[0])
+}
+
+/// Several joints a column: adds up what each does to the base's origin, and moves it to the tool point in the end.
 struct Moments<'a> {
-    jacobian: &'a mut Jacobian,
+    columns: &'a mut [[f64; 6]],
 }
 
 impl Record for Moments<'_> {
-    #[inline(always)]
-    fn axis(&mut self, step: &Step, z: [f64; 3], o: [f64; 3]) {
-        let factor = step.drive.factor;
-        let (z, o) = (Vector3::from(z) * factor, Vector3::from(o));
-        let mut column = self.jacobian.column_mut(step.drive.variable);
+    fn axis<C: SpaceColumn>(&mut self, step: &Step, frame: &Frame<C>) {
+        let (z, o) = (
+            Vector3::from(frame.z.store()) * step.drive.factor,
+            Vector3::from(frame.p.store()),
+        );
         let (v, w) = if step.turns {
             (o.cross(&z), z)
         } else {
             (z, Vector3::zeros())
         };
+        let column = &mut self.columns[step.drive.variable];
         for i in 0..3 {
             column[i] += v[i];
             column[i + 3] += w[i];
         }
     }
-}
 
-/// From the velocity of the point at the base's origin to that of the tool point, `v + omega x p`, and to the reference.
-#[inline(always)]
-fn finish(pose: &Pose, reference: Reference, jacobian: &mut Jacobian) {
-    let p = pose.translation.vector;
-    for mut column in jacobian.column_iter_mut() {
-        let w = Vector3::new(column[3], column[4], column[5]);
-        let mut v = Vector3::new(column[0], column[1], column[2]) + w.cross(&p);
-        let mut w = w;
-        if reference == Reference::Tool {
-            v = pose.rotation.inverse_transform_vector(&v);
-            w = pose.rotation.inverse_transform_vector(&w);
-        }
-        for i in 0..3 {
-            column[i] = v[i];
-            column[i + 3] = w[i];
+    fn tool<C: SpaceColumn>(&mut self, frame: &Frame<C>) {
+        let p = Vector3::from(frame.p.store());
+        for column in self.columns.iter_mut() {
+            let v = Vector3::new(column[3], column[4], column[5]).cross(&p);
+            (0..3).for_each(|i| column[i] += v[i]);
         }
     }
 }

@@ -52,7 +52,7 @@ impl<S: Scalar> Column for [S; 3] {
 }
 
 /// A frame: the columns n, s, a, p of its pose.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Frame<C> {
     /// Direction of the x axis (n).
     pub x: C,

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use pulp::Simd;
 
-use super::kernel::Turn;
+use super::kernel::{Column, Turn};
 use crate::scalar::Scalar;
 
 /// One register of doubles.
@@ -86,6 +86,36 @@ impl<S: Simd> Scalar for Lanes<S> {
     }
 }
 
+/// A polynomial by Horner's rule, lowest coefficient first.
+#[inline(always)]
+fn horner<S: Simd, const N: usize>(x: Lanes<S>, coefficients: &[f64; N]) -> Lanes<S> {
+    let mut sum = Lanes::splat(x.simd, coefficients[N - 1]);
+    for &coefficient in coefficients[..N - 1].iter().rev() {
+        sum = sum.mul_add(x, Lanes::splat(x.simd, coefficient));
+    }
+    sum
+}
+
+/// One row of a column: a motion from the right acts on each row by itself.
+impl<S: Simd> Column for Lanes<S> {
+    type Scalar = Self;
+
+    #[inline(always)]
+    fn scaled(&self, by: &Self) -> Self {
+        *self * *by
+    }
+
+    #[inline(always)]
+    fn scaled_plus(&self, by: &Self, other: &Self) -> Self {
+        self.mul_add(*by, *other)
+    }
+
+    #[inline(always)]
+    fn negated(&self) -> Self {
+        -*self
+    }
+}
+
 /// Angles up to this size are reduced by two products with pi/2; larger ones go to the standard library.
 /// Up to here the number of quarter turns, below 2^17, times pi/2's leading 53 bits cancels exactly.
 pub(super) const MAX_REDUCED: f64 = 1e5;
@@ -106,8 +136,10 @@ const SIN: [f64; 6] = [
     1.589_690_995_211_550_102_21e-10,
 ];
 
-/// Minimax coefficients of (cos r - 1 + r^2/2) / r^4 in r^2, same source.
-const COS: [f64; 6] = [
+/// 1 - r^2/2 and minimax coefficients of what follows in r^2, same source.
+const COS: [f64; 8] = [
+    1.0,
+    -0.5,
     4.166_666_666_666_660_190_37e-2,
     -1.388_888_888_887_410_957_49e-3,
     2.480_158_728_947_672_941_78e-5,
@@ -148,20 +180,17 @@ pub(super) fn sin_cos<S: Simd>(x: Lanes<S>) -> Turn<Lanes<S>> {
 /// Sine and cosine on [-pi/4, pi/4].
 #[inline(always)]
 fn polynomials<S: Simd>(r: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
-    let splat = |value| Lanes::splat(r.simd, value);
     let z = r * r;
-    let horner = |coefficients: &[f64; 6]| {
-        let mut sum = splat(coefficients[5]);
-        for &coefficient in coefficients[..5].iter().rev() {
-            sum = sum.mul_add(z, splat(coefficient));
-        }
-        sum
-    };
-    let sin = (z * r).mul_add(horner(&SIN), r);
-    // 1 - z/2 rounds; what it loses is added to the small terms.
-    let half = z * splat(0.5);
-    let leading = splat(1.0) - half;
-    let lost = (splat(1.0) - leading) - half;
-    let cos = leading + (z * z).mul_add(horner(&COS), lost);
+    let sin = (z * r).mul_add(horner(z, &SIN), r);
+    // Fused throughout, the last two steps round once each: the result is within one unit in the last place.
+    let cos = horner(z, &COS);
     (sin, cos)
+}
+
+/// Whether a mask holds for every lane.
+#[inline(always)]
+pub(super) fn all_true<S: Simd>(simd: S, mask: S::m64s) -> bool {
+    let zero = simd.splat_u64s(0);
+    let every = simd.equal_u64s(zero, zero);
+    simd.first_true_m64s(simd.xor_m64s(mask, every)) >= S::F64_LANES
 }

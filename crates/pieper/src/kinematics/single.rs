@@ -147,10 +147,51 @@ pub(super) fn tool_frame_plain(
     frame
 }
 
-/// What a caller wants of the frames before each joint: the axis and a point on it.
+/// A column in space, in plain numbers or in a register.
+pub(super) trait SpaceColumn: Column<Scalar = f64> {
+    /// `self x other`
+    fn cross(&self, other: &Self) -> Self;
+
+    /// `self - other`
+    fn minus(&self, other: &Self) -> Self;
+
+    /// Three numbers as a column like this one.
+    fn load(&self, from: &[f64; 3]) -> Self;
+
+    /// The column as three numbers.
+    fn store(&self) -> [f64; 3];
+}
+
+impl SpaceColumn for [f64; 3] {
+    #[inline(always)]
+    fn cross(&self, other: &Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self, other);
+        [b * z - c * y, c * x - a * z, a * y - b * x]
+    }
+
+    #[inline(always)]
+    fn minus(&self, other: &Self) -> Self {
+        [self[0] - other[0], self[1] - other[1], self[2] - other[2]]
+    }
+
+    #[inline(always)]
+    fn load(&self, from: &[f64; 3]) -> Self {
+        *from
+    }
+
+    #[inline(always)]
+    fn store(&self) -> [f64; 3] {
+        *self
+    }
+}
+
+/// What a caller wants of the frames along the chain.
 pub(super) trait Record {
-    /// Called for each step, base to tool.
-    fn axis(&mut self, step: &Step, direction: [f64; 3], point: [f64; 3]);
+    /// Called for each step, base to tool, with the frame whose z is the step's axis.
+    fn axis<C: SpaceColumn>(&mut self, step: &Step, frame: &Frame<C>);
+
+    /// Called last, with the tool's frame.
+    fn tool<C: SpaceColumn>(&mut self, frame: &Frame<C>);
 }
 
 /// Wants nothing.
@@ -158,7 +199,10 @@ pub(super) struct Nothing;
 
 impl Record for Nothing {
     #[inline(always)]
-    fn axis(&mut self, _: &Step, _: [f64; 3], _: [f64; 3]) {}
+    fn axis<C: SpaceColumn>(&mut self, _: &Step, _: &Frame<C>) {}
+
+    #[inline(always)]
+    fn tool<C: SpaceColumn>(&mut self, _: &Frame<C>) {}
 }
 
 /// The tool's pose by the fastest way this processor has; `record` sees the axes. `None` if a displacement is not
@@ -186,8 +230,11 @@ pub(super) fn tool_pose(
     {
         return None;
     }
-    let visit = |step: &Step, frame: &Frame<[f64; 3]>| record.axis(step, frame.z, frame.p);
-    Some(pose_of(&tool_frame_plain(canonical, displacement, visit)))
+    let frame = tool_frame_plain(canonical, displacement, |step, frame| {
+        record.axis(step, frame)
+    });
+    record.tool(&frame);
+    Some(pose_of(&frame))
 }
 
 /// [`tool_pose`] with its errors in words.

@@ -3,10 +3,11 @@
 use pulp::x86::V3;
 use pulp::{NullaryFnOnce, Simd, f64x4};
 
-use super::{Moved, Record, append_tail, base_frame, pose_of, run};
+use super::{Moved, Record, SpaceColumn, append_tail, base_frame, pose_of, run};
 use crate::kinematics::kernel::{Column, Frame, Turn};
 use crate::kinematics::lanes::{self, Lanes};
 use crate::model::{Canonical, PACK, Step};
+use crate::scalar::Scalar;
 use crate::spatial::Pose;
 
 /// A column in one register; the fourth lane is idle.
@@ -23,12 +24,6 @@ impl Quad {
             simd,
             value: f64x4(x, y, z, 0.0),
         }
-    }
-
-    #[inline(always)]
-    fn array(self) -> [f64; 3] {
-        let f64x4(x, y, z, _) = self.value;
-        [x, y, z]
     }
 }
 
@@ -59,6 +54,47 @@ impl Column for Quad {
             value: self.simd.neg_f64s(self.value),
             ..*self
         }
+    }
+}
+
+impl SpaceColumn for Quad {
+    #[inline(always)]
+    fn cross(&self, other: &Self) -> Self {
+        // Lanes y z x: of a x b = (a * b.yzx - a.yzx * b).yzx
+        let yzx = |value: f64x4| {
+            let lanes = self
+                .simd
+                .avx2
+                ._mm256_permute4x64_pd::<0b11_00_10_01>(pulp::cast(value));
+            pulp::cast::<_, f64x4>(lanes)
+        };
+        let product = self.simd.mul_f64s(yzx(self.value), other.value);
+        let turned =
+            self.simd
+                .mul_add_f64s(self.value, yzx(other.value), self.simd.neg_f64s(product));
+        Self {
+            value: yzx(turned),
+            ..*self
+        }
+    }
+
+    #[inline(always)]
+    fn minus(&self, other: &Self) -> Self {
+        Self {
+            value: self.simd.sub_f64s(self.value, other.value),
+            ..*self
+        }
+    }
+
+    #[inline(always)]
+    fn load(&self, from: &[f64; 3]) -> Self {
+        Self::new(self.simd, *from)
+    }
+
+    #[inline(always)]
+    fn store(&self) -> [f64; 3] {
+        let f64x4(x, y, z, _) = self.value;
+        [x, y, z]
     }
 }
 
@@ -120,13 +156,12 @@ impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
                     Moved::Slid(moved.values[index])
                 }
             };
-            let visit = |step: &Step, frame: &Frame<Quad>| {
-                record.axis(step, frame.z.array(), frame.p.array())
-            };
+            let visit = |step: &Step, frame: &Frame<Quad>| record.axis(step, frame);
             frame = run(steps, frame, |x| x, motion, visit);
         }
         append_tail(&mut frame, canonical, |x| x);
-        let [x, y, z, p] = [frame.x, frame.y, frame.z, frame.p].map(Quad::array);
+        record.tool(&frame);
+        let [x, y, z, p] = [frame.x, frame.y, frame.z, frame.p].map(|column| column.store());
         Some(pose_of(&Frame { x, y, z, p }))
     }
 }
@@ -164,27 +199,33 @@ impl Displacements {
             sin: [0.0; PACK],
             cos: [0.0; PACK],
         };
+        let (factors, offsets) = (S::as_simd_f64s(factors).0, S::as_simd_f64s(offsets).0);
+        let (values, sin, cos) = (
+            S::as_mut_simd_f64s(&mut moved.values).0,
+            S::as_mut_simd_f64s(&mut moved.sin).0,
+            S::as_mut_simd_f64s(&mut moved.cos).0,
+        );
         let limit = simd.splat_f64s(lanes::MAX_REDUCED);
-        let mut large = false;
-        for at in (0..PACK).step_by(S::F64_LANES) {
-            let lanes = at..at + S::F64_LANES;
-            let load = |from: &[f64]| Lanes {
-                simd,
-                value: simd.partial_load_f64s(from),
-            };
-            let value = load(q.get(at..q.len().min(lanes.end)).unwrap_or_default());
-            let value = value * load(&factors[lanes.clone()]) + load(&offsets[lanes.clone()]);
-            let small = simd.less_than_f64s(simd.abs_f64s(value.value), limit);
-            large |= simd.first_true_m64s(simd.xor_m64s(small, all(simd))) < S::F64_LANES;
+        let mut small = true;
+        for register in 0..PACK / S::F64_LANES {
+            let at = register * S::F64_LANES;
+            let q = q
+                .get(at..q.len().min(at + S::F64_LANES))
+                .unwrap_or_default();
+            let full = |value| Lanes { simd, value };
+            let value = full(simd.partial_load_f64s(q))
+                .mul_add(full(factors[register]), full(offsets[register]));
+            let in_range = simd.less_than_f64s(simd.abs_f64s(value.value), limit);
+            small &= lanes::all_true(simd, in_range);
             let turn = lanes::sin_cos(value);
-            simd.partial_store_f64s(&mut moved.values[lanes.clone()], value.value);
-            simd.partial_store_f64s(&mut moved.sin[lanes.clone()], turn.sin.value);
-            simd.partial_store_f64s(&mut moved.cos[lanes], turn.cos.value);
+            values[register] = value.value;
+            sin[register] = turn.sin.value;
+            cos[register] = turn.cos.value;
         }
-        if large {
-            moved.by_the_standard_library()
-        } else {
+        if small {
             Some(moved)
+        } else {
+            moved.by_the_standard_library()
         }
     }
 
@@ -199,11 +240,4 @@ impl Displacements {
             .all(|value| value.is_finite())
             .then_some(self)
     }
-}
-
-/// The mask of all lanes.
-#[inline(always)]
-fn all<S: Simd>(simd: S) -> S::m64s {
-    let zero = simd.splat_u64s(0);
-    simd.equal_u64s(zero, zero)
 }

@@ -4,8 +4,10 @@ use crate::error::{Error, Result};
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3, UnitVector3, Vector3};
 
 mod angle;
+mod orientation;
 
 pub use angle::{Quarters, sin_cos_exact, snap};
+pub use orientation::{geometric_quaternion, orientation_from_points};
 
 /// A pose: rotation matrix and translation. `a_from_b` maps coordinates in frame b to frame a.
 ///

@@ -1,0 +1,386 @@
+//! A path in space: an axonometric view and the three projections.
+
+use crate::axes::{Axes, NORMAL, SMALL};
+use crate::error::{Error, Result, finite};
+use crate::figure::Figure;
+use crate::font;
+use crate::ink::Ink;
+use crate::labels::{self, Tag};
+use crate::scene::{Point, Rect, Scene, Stroke, Text};
+use crate::sphere;
+use crate::ticks::{range, ticks};
+use crate::view::{Camera, Lens, Room, Vec3, corners};
+
+const WIDTH: f64 = 920.0;
+const LEFT: f64 = 74.0;
+const RIGHT: f64 = 16.0;
+/// Between the columns: tick labels and the name of an axis.
+const BETWEEN: f64 = 86.0;
+/// Above each panel: its name.
+const ABOVE: f64 = 30.0;
+/// Below each panel: tick labels and the name of an axis.
+const BELOW: f64 = 52.0;
+const LEGEND: f64 = 34.0;
+/// The highest a panel may be, so that a figure fits on a screen.
+const HIGHEST: f64 = 400.0;
+/// Distance between arrow heads along a stretch between marks.
+const ARROWS: f64 = 240.0;
+/// Shorter stretches have none.
+const SHORT: f64 = 34.0;
+
+const SEEN: Stroke = Stroke::solid(Ink::Path, 2.2);
+const FAR: Stroke = Stroke::dashed(Ink::Hidden, 1.8, &[4.0, 3.0]);
+const SHADOW: Stroke = Stroke::solid(Ink::Shadow, 1.6);
+
+/// What kind of path is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    /// Positions in metres. Axes count millimetres where that reads better.
+    Positions,
+    /// Unit vectors: a path on the unit sphere, which is drawn too.
+    Directions,
+}
+
+/// A marked point of a path.
+#[derive(Clone, Debug)]
+pub struct PathMark {
+    /// The label, such as the number of a reference position.
+    pub label: String,
+    /// Where.
+    pub at: [f64; 3],
+}
+
+/// What [`path_views`] draws.
+#[derive(Clone, Debug)]
+pub struct PathViews {
+    /// The figure's title.
+    pub title: String,
+    /// The names of the axes, such as "x₀".
+    pub axes: [String; 3],
+    /// Positions or directions.
+    pub space: Space,
+    /// The path, in order; a single point is drawn as one.
+    pub path: Vec<[f64; 3]>,
+    /// Points to point out.
+    pub marks: Vec<PathMark>,
+}
+
+/// Draws a path in space: an axonometric view and the projections x–y, y–z and x–z.
+///
+/// The projections have one scale, and stand as in an engineering drawing: y–z and x–z side by side
+/// with a common z, x–y above x–z with a common x. Marks that coincide share a label. Of a path of
+/// directions the parts on the far side of the sphere are dimmed.
+///
+/// ```
+/// use pieper_plot::{PathMark, PathViews, Space, path_views};
+///
+/// let path: Vec<[f64; 3]> = (0..=60)
+///     .map(|k| (0.1 * f64::from(k)).sin_cos())
+///     .map(|(sin, cos)| [cos, sin, 0.0])
+///     .collect();
+/// let figure = path_views(&PathViews {
+///     title: "The unit vector i".into(),
+///     axes: ["x₀".into(), "y₀".into(), "z₀".into()],
+///     space: Space::Directions,
+///     marks: vec![PathMark { label: "0".into(), at: path[0] }],
+///     path,
+/// })?;
+/// assert!(figure.height() > 400.0);
+/// # Ok::<(), pieper_plot::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// Where the path is empty or a number is not finite.
+pub fn path_views(views: &PathViews) -> Result<Figure> {
+    if views.path.is_empty() {
+        return Err(Error::input("path", "at least one point was expected"));
+    }
+    finite("path", views.path.as_flattened())?;
+    for mark in &views.marks {
+        finite(&format!("mark {}", mark.label), &mark.at)?;
+    }
+    let drawing = Drawing::new(views);
+    let layout = Layout::new(&drawing.bounds);
+    let mut scene = Scene::new(WIDTH, layout.height);
+    drawing.axonometric(&mut scene, layout.axonometric);
+    drawing.projection(&mut scene, [0, 1], layout.xy);
+    drawing.projection(&mut scene, [1, 2], layout.yz);
+    drawing.projection(&mut scene, [0, 2], layout.xz);
+    drawing.legend(&mut scene, layout.height - LEGEND / 2.0 - 4.0);
+    Ok(Figure::new(&views.title, scene))
+}
+
+/// The panels: projections of one scale, columns of one width, rows of one height.
+struct Layout {
+    axonometric: Rect,
+    xy: Rect,
+    yz: Rect,
+    xz: Rect,
+    height: f64,
+}
+
+impl Layout {
+    fn new(bounds: &[[f64; 2]; 3]) -> Self {
+        let [x, y, z] = bounds.map(|[low, high]| high - low);
+        let room = WIDTH - LEFT - BETWEEN - RIGHT;
+        let scale = (room / (x + y)).min(HIGHEST / y.max(z));
+        let [x, y, z] = [x, y, z].map(|span| span * scale);
+        let left = LEFT + (room - x - y) / 2.0;
+        let right = left + y + BETWEEN;
+        let below = ABOVE + y + BELOW + ABOVE;
+        Self {
+            axonometric: Rect::new(16.0, ABOVE, left + y, y + 40.0),
+            xy: Rect::new(right, ABOVE, x, y),
+            yz: Rect::new(left, below, y, z),
+            xz: Rect::new(right, below, x, z),
+            height: below + z + BELOW + LEGEND,
+        }
+    }
+}
+
+struct Drawing<'a> {
+    views: &'a PathViews,
+    bounds: [[f64; 2]; 3],
+    /// The unit of the axes in units of the points.
+    unit: f64,
+    suffix: &'static str,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(views: &'a PathViews) -> Self {
+        let bounds = match views.space {
+            Space::Directions => [[-1.14, 1.14]; 3],
+            Space::Positions => bounds(views),
+        };
+        let widest = bounds.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+        let (unit, suffix) = match views.space {
+            Space::Directions => (1.0, ""),
+            Space::Positions if widest < 3.0 => (1e-3, ", mm"),
+            Space::Positions => (1.0, ", m"),
+        };
+        Self {
+            views,
+            bounds,
+            unit,
+            suffix,
+        }
+    }
+
+    fn name(&self, axis: usize) -> String {
+        format!("{}{}", self.views.axes[axis], self.suffix)
+    }
+
+    fn axonometric(&self, scene: &mut Scene, area: Rect) {
+        scene.open("axonometric");
+        panel_name(scene, &area, "Axonometric view");
+        let camera = Camera::axonometric();
+        let [low, high] = [0, 1].map(|end| self.bounds.map(|ends| ends[end]));
+        let names = [0, 1, 2].map(|axis| self.name(axis));
+        let names = [&*names[0], &*names[1], &*names[2]];
+        if self.views.space == Space::Directions {
+            let side = area.height - 40.0;
+            let lens = Lens {
+                camera,
+                scale: side / 2.0 / 1.2,
+                offset: [area.center()[0], area.top + side / 2.0 + 12.0],
+            };
+            sphere::ball(scene, &lens);
+            sphere::axes(scene, &lens, names);
+            self.path(scene, &lens, &area);
+        } else {
+            let inner = Rect::new(area.left + 66.0, area.top + 2.0, area.width - 96.0, area.height - 48.0);
+            let lens = Lens::fit(camera, &corners(low, high), &inner);
+            let unit = self.unit;
+            Room { low, high, names, unit }.draw(scene, &lens);
+            let fallen: Vec<Vec3> = self.views.path.iter().map(|p| [p[0], p[1], low[2]]).collect();
+            scene.polyline(thinned(&lens.line(&fallen)), SHADOW);
+            self.path(scene, &lens, &inner);
+        }
+        scene.close();
+    }
+
+    fn projection(&self, scene: &mut Scene, [right, up]: [usize; 2], area: Rect) {
+        let names = [&self.views.axes[right], &self.views.axes[up]];
+        scene.open(format!("{}-{}", names[0], names[1]));
+        panel_name(scene, &area, &format!("{}\u{2013}{}", names[0], names[1]));
+        let in_unit = |axis: usize| self.bounds[axis].map(|end| end / self.unit);
+        let axes = Axes::new(area, in_unit(right), in_unit(up));
+        let [x_ticks, y_ticks] = [right, up].map(|axis| {
+            let [low, high] = in_unit(axis);
+            // One step for all projections: grids of squares.
+            let widest = self.bounds.iter().map(|[a, b]| b - a).fold(0.0, f64::max) / self.unit;
+            let count = (7.0 * (high - low) / widest).round().max(2.0) as usize;
+            ticks(low, high, count, "")
+        });
+        axes.ground(scene, &x_ticks, &y_ticks);
+        axes.label_x(scene, &x_ticks, &self.name(right));
+        axes.label_y(scene, &y_ticks, &self.name(up));
+        let camera = Camera::along(right, up);
+        let scale = area.width / (self.bounds[right][1] - self.bounds[right][0]);
+        let corner = [self.bounds[right][0], self.bounds[up][0]].map(|low| low * scale);
+        let lens = Lens {
+            camera,
+            scale,
+            offset: [area.left - corner[0], area.bottom() + corner[1]],
+        };
+        if self.views.space == Space::Directions {
+            sphere::ball(scene, &lens);
+        }
+        self.path(scene, &lens, &area);
+        scene.close();
+    }
+
+    /// The path, its direction and its marks, as one lens sees them.
+    fn path(&self, scene: &mut Scene, lens: &Lens, bounds: &Rect) {
+        let on_sphere = self.views.space == Space::Directions;
+        let line = thinned(&lens.line(&self.views.path));
+        if on_sphere {
+            let mut parts = sphere::stretches(&lens.camera, &self.views.path);
+            // Far parts first: where both run over one place in the picture, the near one is seen.
+            parts.sort_by_key(|part| !part.hidden);
+            for part in &parts {
+                let stroke = if part.hidden { FAR } else { SEEN };
+                scene.polyline(thinned(&lens.line(&part.points)), stroke);
+            }
+        } else {
+            scene.polyline(line.clone(), SEEN);
+        }
+        for ends in stops(self.views).windows(2) {
+            let stretch = &self.views.path[ends[0]..=ends[1]];
+            if on_sphere {
+                for part in sphere::stretches(&lens.camera, stretch) {
+                    let ink = if part.hidden { Ink::Hidden } else { Ink::Path };
+                    let heads = arrows(&thinned(&lens.line(&part.points)));
+                    heads.into_iter().for_each(|(at, way)| arrow(scene, at, way, ink));
+                }
+            } else {
+                let heads = arrows(&thinned(&lens.line(stretch)));
+                heads.into_iter().for_each(|(at, way)| arrow(scene, at, way, Ink::Path));
+            }
+        }
+        let marks = self.views.marks.iter().map(|mark| Tag {
+            at: lens.at(mark.at),
+            text: mark.label.clone(),
+            hidden: on_sphere && sphere::hidden(&lens.camera, mark.at),
+        });
+        let tags = labels::merge(marks.collect());
+        if tags.is_empty() && line.len() == 1 {
+            labels::dot(scene, line[0], false);
+        }
+        labels::draw(scene, &tags, &[line], bounds);
+    }
+
+    fn legend(&self, scene: &mut Scene, y: f64) {
+        let mut x = LEFT;
+        let mut entry = |scene: &mut Scene, sample: &dyn Fn(&mut Scene, f64), name: &str| {
+            sample(scene, x);
+            scene.text(Text::new([x + 42.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted));
+            x += 42.0 + font::width(name, SMALL) + 26.0;
+        };
+        let line = |stroke: Stroke| move |scene: &mut Scene, x: f64| scene.line([x, y], [x + 34.0, y], stroke);
+        if self.views.space == Space::Directions {
+            entry(scene, &line(SEEN), "near side of the sphere");
+            entry(scene, &line(FAR), "far side");
+        } else {
+            entry(scene, &line(SEEN), "path");
+            entry(scene, &line(SHADOW), "its foot on the floor of the box");
+        }
+        let head = |scene: &mut Scene, x: f64| {
+            scene.line([x, y], [x + 34.0, y], SEEN);
+            arrow(scene, [x + 17.0, y], [1.0, 0.0], Ink::Path);
+        };
+        entry(scene, &head, "direction of motion");
+        if !self.views.marks.is_empty() {
+            entry(scene, &|scene, x| labels::dot(scene, [x + 28.0, y], false), "reference position");
+            if self.views.space == Space::Directions {
+                entry(scene, &|scene, x| labels::dot(scene, [x + 28.0, y], true), "on the far side");
+            }
+        }
+    }
+}
+
+/// The box of a path: as tight as its extents allow, but never flat.
+fn bounds(views: &PathViews) -> [[f64; 2]; 3] {
+    let points = || views.path.iter().chain(views.marks.iter().map(|mark| &mark.at));
+    let tight = [0, 1, 2].map(|k| {
+        let [low, high] = points().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| {
+            [a.min(p[k]), b.max(p[k])]
+        });
+        [(low + high) / 2.0, high - low]
+    });
+    let widest = tight.iter().map(|[_, span]| *span).fold(0.0, f64::max);
+    // A single point gets a box of a tenth of a metre.
+    let widest = if widest < 1e-9 { 0.1 } else { widest };
+    tight.map(|[middle, span]| {
+        let half = (0.58 * span).max(0.36 * widest);
+        range([middle - half, middle + half])
+    })
+}
+
+fn panel_name(scene: &mut Scene, area: &Rect, name: &str) {
+    let at = [area.left, area.top - 10.0];
+    scene.text(Text::new(at, name, NORMAL).bold());
+}
+
+/// Leaves out points that no eye can tell from their neighbours; a resting path is one point.
+fn thinned(points: &[Point]) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    for &point in points {
+        let far = |last: &Point| (point[0] - last[0]).hypot(point[1] - last[1]) > 0.4;
+        if kept.last().is_none_or(far) {
+            kept.push(point);
+        }
+    }
+    if let (true, Some(last), Some(end)) = (kept.len() > 1, kept.last_mut(), points.last()) {
+        *last = *end;
+    }
+    kept
+}
+
+/// Where along the path the marks are, in the path's order. Repeated places are found in turn.
+fn stops(views: &PathViews) -> Vec<usize> {
+    let mut stops = vec![0];
+    let mut from = 0;
+    for mark in &views.marks {
+        if let Some(ahead) = views.path[from..].iter().position(|point| *point == mark.at) {
+            from += ahead;
+            stops.push(from);
+        }
+    }
+    stops.push(views.path.len() - 1);
+    stops.dedup();
+    stops
+}
+
+/// Places and directions of arrow heads at equal distances along a line, away from its ends.
+fn arrows(line: &[Point]) -> Vec<(Point, Point)> {
+    let length = |ends: &[Point]| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+    let total: f64 = line.windows(2).map(length).sum();
+    if total < SHORT {
+        return Vec::new();
+    }
+    let count = (total / ARROWS).round().max(1.0);
+    let (mut done, mut next) = (0.0, 0.5);
+    let mut heads = Vec::new();
+    for ends in line.windows(2) {
+        let here = length(ends);
+        while next < count && next * total / count <= done + here {
+            let share = (next * total / count - done) / here;
+            let [dx, dy] = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
+            let at = [ends[0][0] + share * dx, ends[0][1] + share * dy];
+            heads.push((at, [dx / here, dy / here]));
+            next += 1.0;
+        }
+        done += here;
+    }
+    heads
+}
+
+fn arrow(scene: &mut Scene, at: Point, [x, y]: Point, ink: Ink) {
+    let corner = |along: f64, across: f64| {
+        [at[0] + along * x - across * y, at[1] + along * y + across * x]
+    };
+    let head = vec![corner(7.0, 0.0), corner(-5.0, 5.0), corner(-2.5, 0.0), corner(-5.0, -5.0)];
+    scene.polygon(head, ink, Some(Stroke::solid(Ink::Wall, 0.8)));
+}

@@ -1,0 +1,81 @@
+//! Round numbers along an axis.
+
+/// Round values inside a range, and how they are written.
+#[derive(Clone, Debug)]
+pub(crate) struct Ticks {
+    pub(crate) values: Vec<f64>,
+    pub(crate) step: f64,
+}
+
+/// How a circle is divided: the steps people expect on an axis of degrees.
+const DEGREES: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
+
+/// At most `count` round values from `low` to `high`.
+pub(crate) fn ticks(low: f64, high: f64, count: usize, unit: &str) -> Ticks {
+    let least = (high - low) / count.max(1) as f64;
+    let degrees = matches!(unit, "°" | "deg");
+    let step = DEGREES
+        .into_iter()
+        .find(|&step| degrees && step >= least && least > 0.5)
+        .unwrap_or_else(|| round_up(least));
+    let first = (low / step - 1e-9).ceil();
+    let last = (high / step + 1e-9).floor();
+    let number = (last - first).clamp(-1.0, 100.0) as i64;
+    let values = (0..=number).map(|k| (first + k as f64) * step).collect();
+    Ticks { values, step }
+}
+
+/// The next number of the form 1, 2 or 5 times a power of ten.
+fn round_up(least: f64) -> f64 {
+    if !(least > 0.0 && least.is_finite()) {
+        return 1.0;
+    }
+    let power = 10f64.powf(least.log10().floor());
+    let factor = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|factor| factor * power >= least * (1.0 - 1e-9));
+    factor.unwrap_or(10.0) * power
+}
+
+impl Ticks {
+    /// The values' texts: as many decimals as the step needs, and a true minus sign.
+    pub(crate) fn labels(&self) -> Vec<String> {
+        let decimals = (-self.step.log10().floor()).clamp(0.0, 12.0) as usize;
+        let wide = self.values.iter().any(|value| value.abs() >= 1e6);
+        let write = |value: &f64| {
+            if wide || self.step < 1e-6 {
+                minus(&format!("{value:.3e}"))
+            } else {
+                minus(&format!("{value:.decimals$}"))
+            }
+        };
+        self.values.iter().map(write).collect()
+    }
+}
+
+/// The text of a number with a true minus sign, and without one on zero.
+pub(crate) fn minus(text: &str) -> String {
+    let zero = !text.chars().any(|c| c.is_ascii_digit() && c != '0');
+    match text.strip_prefix('-') {
+        Some(digits) if zero => digits.to_owned(),
+        _ => text.replace('-', "\u{2212}"),
+    }
+}
+
+/// The smallest range that holds the values, widened where they are all (nearly) equal.
+pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
+    for value in values {
+        low = low.min(value);
+        high = high.max(value);
+    }
+    if low > high {
+        return [0.0, 1.0];
+    }
+    let size = low.abs().max(high.abs());
+    if high - low > 1e-9 * size && high - low > 1e-300 {
+        return [low, high];
+    }
+    let room = if size > 1e-300 { size * 0.1 } else { 1.0 };
+    [low - room, high + room]
+}

@@ -1,0 +1,345 @@
+//! Quantities over time: one panel below the other on a common time axis.
+
+use crate::axes::{Axes, NORMAL, SMALL};
+use crate::error::{Error, Result, finite};
+use crate::figure::Figure;
+use crate::font;
+use crate::ink::{self, Ink};
+use crate::labels;
+use crate::scene::{Form, Point, Rect, Scene, Stroke, Text};
+use crate::ticks::{range, ticks};
+
+const WIDTH: f64 = 920.0;
+const LEFT: f64 = 76.0;
+const RIGHT: f64 = 20.0;
+/// The strip over the first panel that holds the labels of marks.
+const STRIP: f64 = 26.0;
+const LEGEND_ROW: f64 = 24.0;
+const BETWEEN: f64 = 18.0;
+const BELOW: f64 = 48.0;
+/// Distance between a line's markers. Lines take turns in it, so that markers of lines that
+/// coincide stand side by side.
+const MARKER_SPACING: f64 = 168.0;
+
+const DASHES: [&[f64]; 6] = [
+    &[],
+    &[9.0, 4.0],
+    &[3.0, 2.5],
+    &[11.0, 3.0, 2.5, 3.0],
+    &[6.0, 2.5],
+    &[1.5, 2.0, 6.0, 2.0],
+];
+
+/// One quantity over time.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The name in the legend.
+    pub name: String,
+    /// One value for each of the chart's times.
+    pub values: Vec<f64>,
+}
+
+impl Series {
+    /// A series of values, one for each of the chart's times.
+    pub fn new(name: impl Into<String>, values: Vec<f64>) -> Self {
+        let name = name.into();
+        Self { name, values }
+    }
+}
+
+/// Quantities of one kind: one panel of a chart.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// What is shown, such as "Joint angle".
+    pub name: String,
+    /// Its unit, such as "°", "mm" or "rad/s"; degrees get ticks at 30, 45, 90.
+    pub unit: String,
+    /// The lines.
+    pub series: Vec<Series>,
+}
+
+impl Panel {
+    /// A panel of lines that share a unit.
+    pub fn new(name: impl Into<String>, unit: impl Into<String>, series: Vec<Series>) -> Self {
+        Self {
+            name: name.into(),
+            unit: unit.into(),
+            series,
+        }
+    }
+}
+
+/// A moment with a label.
+#[derive(Clone, Debug)]
+pub struct TimeMark {
+    /// The label, such as the number of a reference position.
+    pub label: String,
+    /// When, in seconds.
+    pub time: f64,
+}
+
+/// What [`time_chart`] draws.
+#[derive(Clone, Debug)]
+pub struct TimeChart {
+    /// The figure's title.
+    pub title: String,
+    /// The moments of the samples in seconds, in ascending order.
+    pub times: Vec<f64>,
+    /// The panels, from top to bottom.
+    pub panels: Vec<Panel>,
+    /// Moments to point out, across all panels.
+    pub marks: Vec<TimeMark>,
+}
+
+/// Draws quantities over time.
+///
+/// Lines differ by colour, dashes and markers. Marks that stand too close share a label.
+///
+/// ```
+/// use pieper_plot::{Panel, Series, TimeChart, TimeMark, time_chart};
+///
+/// let figure = time_chart(&TimeChart {
+///     title: "Joints".into(),
+///     times: vec![0.0, 0.5, 1.0],
+///     panels: vec![
+///         Panel::new("Angle", "°", vec![Series::new("q₁", vec![0.0, 45.0, 90.0])]),
+///         Panel::new("Travel", "mm", vec![Series::new("q₂", vec![0.0, 10.0, 40.0])]),
+///     ],
+///     marks: vec![TimeMark { label: "1".into(), time: 1.0 }],
+/// })?;
+/// assert_eq!(figure.title(), "Joints");
+/// # Ok::<(), pieper_plot::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// Where there is nothing to draw, a number is not finite, times do not ascend, or a series has not
+/// one value per time.
+pub fn time_chart(chart: &TimeChart) -> Result<Figure> {
+    check(chart)?;
+    let times = padded(range(chart.times.iter().copied().chain(chart.marks.iter().map(|m| m.time))), 0.015);
+    let panel_height = if chart.panels.len() == 1 { 330.0 } else { 210.0 };
+    let strip = if chart.marks.is_empty() { 0.0 } else { STRIP };
+    let mut top = 0.0;
+    let mut areas = Vec::new();
+    for (index, panel) in chart.panels.iter().enumerate() {
+        top += legend_height(panel) + if index == 0 { strip } else { 0.0 };
+        areas.push(Rect::new(LEFT, top, WIDTH - LEFT - RIGHT, panel_height));
+        top += panel_height + BETWEEN;
+    }
+    let mut scene = Scene::new(WIDTH, top - BETWEEN + BELOW);
+    for (index, (panel, area)) in chart.panels.iter().zip(&areas).enumerate() {
+        let axes = Axes::new(*area, times, values_range(panel));
+        let place = Place {
+            legend: area.top - legend_height(panel) - if index == 0 { strip } else { 0.0 },
+            last: index + 1 == areas.len(),
+        };
+        draw_panel(&mut scene, chart, panel, &axes, place);
+    }
+    if let Some(first) = areas.first() {
+        draw_mark_labels(&mut scene, chart, &Axes::new(*first, times, [0.0, 1.0]));
+    }
+    Ok(Figure::new(&chart.title, scene))
+}
+
+fn check(chart: &TimeChart) -> Result<()> {
+    let count = chart.times.len();
+    if count == 0 {
+        return Err(Error::input("times", "at least one moment was expected"));
+    }
+    finite("times", &chart.times)?;
+    if !chart.times.is_sorted() {
+        return Err(Error::input("times", "moments in ascending order were expected"));
+    }
+    if chart.panels.iter().all(|panel| panel.series.is_empty()) {
+        return Err(Error::input("panels", "at least one series was expected"));
+    }
+    for series in chart.panels.iter().flat_map(|panel| &panel.series) {
+        let subject = format!("series {}", series.name);
+        if series.values.len() != count {
+            let message = format!("{count} values were expected, {} were given", series.values.len());
+            return Err(Error::input(subject, message));
+        }
+        finite(&subject, &series.values)?;
+    }
+    for mark in &chart.marks {
+        finite(&format!("time of mark {}", mark.label), [&mark.time])?;
+    }
+    Ok(())
+}
+
+fn padded([low, high]: [f64; 2], share: f64) -> [f64; 2] {
+    let room = (high - low) * share;
+    [low - room, high + room]
+}
+
+fn values_range(panel: &Panel) -> [f64; 2] {
+    let values = panel.series.iter().flat_map(|series| series.values.iter());
+    padded(range(values.copied()), 0.06)
+}
+
+/// Where a panel stands among the others.
+struct Place {
+    /// The upper edge of its legend.
+    legend: f64,
+    /// Whether it carries the time axis.
+    last: bool,
+}
+
+fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, place: Place) {
+    scene.open(&panel.name);
+    let time_ticks = ticks(axes.x.values[0], axes.x.values[1], 12, "s");
+    let rows = (axes.area.height / 45.0) as usize;
+    let value_ticks = ticks(axes.y.values[0], axes.y.values[1], rows, &panel.unit);
+    axes.ground(scene, &time_ticks, &value_ticks);
+    axes.label_y(scene, &value_ticks, &with_unit(&panel.name, &panel.unit));
+    if place.last {
+        axes.label_x(scene, &time_ticks, "Time, s");
+    }
+    for mark in &chart.marks {
+        let x = axes.x.at(mark.time);
+        let stroke = Stroke::dashed(Ink::Muted, 1.0, &[4.0, 3.0]);
+        scene.line([x, axes.area.top], [x, axes.area.bottom()], stroke);
+    }
+    for (index, series) in panel.series.iter().enumerate() {
+        let points = chart.times.iter().zip(&series.values);
+        let points: Vec<Point> = points.map(|(&t, &v)| axes.at([t, v])).collect();
+        scene.polyline(thinned(&points), stroke(index));
+    }
+    // Markers after all lines, so that no line hides the marker of another.
+    for (index, series) in panel.series.iter().enumerate() {
+        let turn = (index as f64 + 0.5) / panel.series.len() as f64;
+        let mut x = axes.area.left + turn * MARKER_SPACING;
+        while x < axes.area.right() {
+            if let Some(y) = value_at(&chart.times, &series.values, axes, x) {
+                marker(scene, [x, y], index);
+            }
+            x += MARKER_SPACING;
+        }
+    }
+    draw_legend(scene, panel, place.legend);
+    scene.close();
+}
+
+fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}, {unit}")
+    }
+}
+
+/// The height of the line at the place `x`, where the line reaches.
+fn value_at(times: &[f64], values: &[f64], axes: &Axes, x: f64) -> Option<f64> {
+    let after = times.iter().position(|&time| axes.x.at(time) >= x)?;
+    let before = after.checked_sub(1)?;
+    let [a, b] = [before, after].map(|k| axes.at([times[k], values[k]]));
+    let share = (x - a[0]) / (b[0] - a[0]);
+    Some(a[1] + share * (b[1] - a[1]))
+}
+
+/// Leaves out points that no eye can tell from their neighbours: long recordings stay small files.
+fn thinned(points: &[Point]) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    for (index, point) in points.iter().enumerate() {
+        let far = kept
+            .last()
+            .is_none_or(|last| (point[0] - last[0]).hypot(point[1] - last[1]) > 0.4);
+        if far || index + 1 == points.len() {
+            kept.push(*point);
+        }
+    }
+    // A line needs two ends; one moment is drawn as a short dash.
+    if let [only] = kept[..] {
+        return vec![[only[0] - 4.0, only[1]], [only[0] + 4.0, only[1]]];
+    }
+    kept
+}
+
+fn series_ink(index: usize) -> Ink {
+    Ink::Series((index % usize::from(ink::SERIES)) as u8)
+}
+
+fn stroke(index: usize) -> Stroke {
+    Stroke::dashed(series_ink(index), 2.0, DASHES[index % DASHES.len()])
+}
+
+fn marker(scene: &mut Scene, [x, y]: Point, index: usize) {
+    let ink = series_ink(index);
+    let rim = Some(Stroke::solid(Ink::Paper, 1.0));
+    let at = |offsets: &[Point]| offsets.iter().map(|[dx, dy]| [x + dx, y + dy]).collect();
+    match index % 6 {
+        0 => scene.disc([x, y], 4.2, ink, rim),
+        1 => scene.polygon(at(&[[-3.8, -3.8], [3.8, -3.8], [3.8, 3.8], [-3.8, 3.8]]), ink, rim),
+        2 => scene.polygon(at(&[[0.0, -5.2], [4.8, 3.6], [-4.8, 3.6]]), ink, rim),
+        3 => scene.polygon(at(&[[0.0, -5.4], [5.4, 0.0], [0.0, 5.4], [-5.4, 0.0]]), ink, rim),
+        4 => scene.polygon(at(&[[0.0, 5.2], [4.8, -3.6], [-4.8, -3.6]]), ink, rim),
+        _ => scene.disc([x, y], 3.6, Ink::Paper, Some(Stroke::solid(ink, 2.0))),
+    }
+}
+
+const SAMPLE: f64 = 40.0;
+
+/// The entries of a legend: left edges and rows.
+fn legend_places(panel: &Panel) -> Vec<(f64, usize)> {
+    let (mut x, mut row) = (LEFT, 0);
+    let mut places = Vec::new();
+    for series in &panel.series {
+        let width = SAMPLE + 8.0 + font::width(&series.name, NORMAL) + 22.0;
+        if x + width > WIDTH - RIGHT && x > LEFT {
+            (x, row) = (LEFT, row + 1);
+        }
+        places.push((x, row));
+        x += width;
+    }
+    places
+}
+
+fn legend_height(panel: &Panel) -> f64 {
+    legend_places(panel)
+        .last()
+        .map_or(0.0, |(_, row)| LEGEND_ROW * (*row as f64 + 1.0) + 6.0)
+}
+
+fn draw_legend(scene: &mut Scene, panel: &Panel, top: f64) {
+    for (index, (series, (x, row))) in panel.series.iter().zip(legend_places(panel)).enumerate() {
+        let y = top + LEGEND_ROW * (row as f64 + 0.5);
+        scene.line([x, y], [x + SAMPLE, y], stroke(index));
+        marker(scene, [x + SAMPLE / 2.0, y], index);
+        let at = [x + SAMPLE + 8.0, y + font::HALF_DIGIT * NORMAL];
+        scene.text(Text::new(at, &series.name, NORMAL));
+    }
+}
+
+/// The labels of marks, in small frames on the upper ends of their lines.
+fn draw_mark_labels(scene: &mut Scene, chart: &TimeChart, axes: &Axes) {
+    let mut marks: Vec<(f64, &str)> = chart
+        .marks
+        .iter()
+        .map(|mark| (axes.x.at(mark.time), mark.label.as_str()))
+        .collect();
+    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut groups: Vec<(Vec<f64>, Vec<&str>)> = Vec::new();
+    for (x, label) in marks {
+        match groups.last_mut() {
+            Some((places, labels)) if x - places[0] < 20.0 => {
+                places.push(x);
+                labels.push(label);
+            }
+            _ => groups.push((vec![x], vec![label])),
+        }
+    }
+    let y = axes.area.top - 14.0;
+    for (places, names) in groups {
+        let text = labels::join(&names);
+        let x = places.iter().sum::<f64>() / places.len() as f64;
+        let width = (font::width(&text, SMALL) + 10.0).max(20.0);
+        let frame = Rect::around([x, y], width, 20.0);
+        scene.shape(
+            Form::Rect(frame, 10.0),
+            Some(Ink::Paper),
+            Some(Stroke::solid(Ink::Muted, 1.0)),
+        );
+        scene.text(Text::centered([x, y], text, SMALL).bold());
+    }
+}

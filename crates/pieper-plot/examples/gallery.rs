@@ -42,7 +42,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arms = arm_pictures(&joints, &tools)?;
     let path = path_of(&tools, "Path of the tool point", 3, Space::Positions)?;
     let [i, j, k] = [("i", 0), ("j", 1), ("k", 2)].map(|(name, column)| {
-        path_of(&tools, &format!("Path of the unit vector {name}"), column, Space::Directions)
+        path_of(
+            &tools,
+            &format!("Path of the unit vector {name}"),
+            column,
+            Space::Directions,
+        )
     });
     let (i, j, k) = (i?, j?, k?);
     let sliders = two_panels()?;
@@ -97,7 +102,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn write(folder: &Path, name: &str, figure: &Figure) -> Result<(), Box<dyn Error>> {
-    fs::write(folder.join(format!("{name}.svg")), figure.to_svg(Theme::Standalone))?;
+    fs::write(
+        folder.join(format!("{name}.svg")),
+        figure.to_svg(Theme::Standalone),
+    )?;
     fs::write(folder.join(format!("{name}.png")), figure.to_png(2.0)?)?;
     Ok(())
 }
@@ -139,15 +147,19 @@ fn column(pose: &Pose, column: usize) -> [f64; 3] {
 
 fn joint_chart(times: &[f64], joints: &[[f64; 6]]) -> pieper_plot::Result<Figure> {
     let names = ["q₁", "q₂", "q₃", "q₄", "q₅", "q₆"];
-    let series = names.into_iter().enumerate().map(|(k, name)| {
-        Series::new(name, joints.iter().map(|q| q[k].to_degrees()).collect())
-    });
+    let series = names
+        .into_iter()
+        .enumerate()
+        .map(|(k, name)| Series::new(name, joints.iter().map(|q| q[k].to_degrees()).collect()));
     time_chart(&TimeChart {
         title: "Joint angles of the AR3 over time".into(),
         times: times.to_vec(),
         panels: vec![Panel::new("Joint angle", "°", series.collect())],
         marks: (0..MARKS)
-            .map(|k| TimeMark { label: k.to_string(), time: k as f64 })
+            .map(|k| TimeMark {
+                label: k.to_string(),
+                time: k as f64,
+            })
             .collect(),
     })
 }
@@ -194,7 +206,10 @@ fn path_of(tools: &[Pose], title: &str, which: usize, space: Space) -> pieper_pl
         axes: ["x₀".into(), "y₀".into(), "z₀".into()],
         space,
         marks: (0..MARKS)
-            .map(|k| PathMark { label: k.to_string(), at: path[k * RATE] })
+            .map(|k| PathMark {
+                label: k.to_string(),
+                at: path[k * RATE],
+            })
             .collect(),
         path,
     })
@@ -206,17 +221,33 @@ fn two_panels() -> pieper_plot::Result<Figure> {
     time_chart(&TimeChart {
         title: "A turning and two sliding joints".into(),
         panels: vec![
-            Panel::new("Joint angle", "°", vec![Series::new("q₁", wave(3.0, 120.0))]),
+            Panel::new(
+                "Joint angle",
+                "°",
+                vec![Series::new("q₁", wave(3.0, 120.0))],
+            ),
             Panel::new(
                 "Joint travel",
                 "mm",
-                vec![Series::new("q₂", wave(2.0, 80.0)), Series::new("q₃", wave(5.0, 35.0))],
+                vec![
+                    Series::new("q₂", wave(2.0, 80.0)),
+                    Series::new("q₃", wave(5.0, 35.0)),
+                ],
             ),
         ],
         marks: vec![
-            TimeMark { label: "0".into(), time: 0.0 },
-            TimeMark { label: "1".into(), time: 1.0 },
-            TimeMark { label: "2".into(), time: 1.02 },
+            TimeMark {
+                label: "0".into(),
+                time: 0.0,
+            },
+            TimeMark {
+                label: "1".into(),
+                time: 1.0,
+            },
+            TimeMark {
+                label: "2".into(),
+                time: 1.02,
+            },
         ],
         times,
     })
@@ -229,14 +260,25 @@ fn degenerate() -> pieper_plot::Result<Vec<(&'static str, Figure)>> {
         axes: ["x₀".into(), "y₀".into(), "z₀".into()],
         space: Space::Positions,
         marks: vec![
-            PathMark { label: "0".into(), at: path[0] },
-            PathMark { label: "1".into(), at: path[path.len() - 1] },
+            PathMark {
+                label: "0".into(),
+                at: path[0],
+            },
+            PathMark {
+                label: "1".into(),
+                at: path[path.len() - 1],
+            },
         ],
         path,
     };
-    let line = (0..=50).map(|k| [0.2 + 0.01 * f64::from(k), 0.3, 0.1]).collect();
+    let line = (0..=50)
+        .map(|k| [0.2 + 0.01 * f64::from(k), 0.3, 0.1])
+        .collect();
     Ok(vec![
-        ("point", path_views(&views("A tool at rest", vec![[0.3, -0.2, 0.5]; 3]))?),
+        (
+            "point",
+            path_views(&views("A tool at rest", vec![[0.3, -0.2, 0.5]; 3]))?,
+        ),
         ("line", path_views(&views("A straight line", line))?),
     ])
 }
@@ -252,6 +294,13 @@ fn angle_table(times: &[f64], joints: &[[f64; 6]]) -> Table {
 
 fn matrices(tools: &[Pose]) -> Vec<Matrix> {
     (0..MARKS)
-        .map(|k| Matrix::of_numbers(format!("T₆({k})"), format!("t = {k} s"), &tools[k * RATE], 4))
+        .map(|k| {
+            Matrix::of_numbers(
+                format!("T₆({k})"),
+                format!("t = {k} s"),
+                &tools[k * RATE],
+                4,
+            )
+        })
         .collect()
 }

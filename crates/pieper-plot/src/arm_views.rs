@@ -15,7 +15,7 @@ const WIDTH: f64 = 920.0;
 /// The width of a single picture.
 const ALONE: f64 = 520.0;
 /// Above each picture: its label.
-const HEAD: f64 = 30.0;
+const HEAD: f64 = 34.0;
 /// Below each picture: the names of the floor's axes.
 const FOOT: f64 = 16.0;
 /// Left and right of each picture.
@@ -140,7 +140,10 @@ fn check(views: &ArmViews) -> Result<()> {
             return Err(Error::input(subject, "at least one point was expected"));
         }
         finite(&subject, arm.points.as_flattened())?;
-        finite(&subject, arm.tool.at.iter().chain(arm.tool.axes.as_flattened()))?;
+        finite(
+            &subject,
+            arm.tool.at.iter().chain(arm.tool.axes.as_flattened()),
+        )?;
         for joint in &arm.joints {
             finite(&subject, joint.at.iter().chain(&joint.axis))?;
         }
@@ -183,13 +186,22 @@ impl Stage {
             low[k] -= room;
             high[k] += room;
         }
-        let floor = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]];
+        let floor = [
+            [low[0], low[1]],
+            [high[0], low[1]],
+            [high[0], high[1]],
+            [low[0], high[1]],
+        ];
         let mut seen: Vec<Vec3> = floor.map(|[x, y]| [x, y, low[2]]).to_vec();
         for point in points() {
             seen.extend([add(point, [0.0, 0.0, room], 1.0), point]);
         }
         for arm in &views.arms {
-            seen.extend(arm.tool.axes.map(|axis| add(arm.tool.at, axis, body::TOOL * radius)));
+            seen.extend(
+                arm.tool
+                    .axes
+                    .map(|axis| add(arm.tool.at, axis, 1.25 * body::TOOL * radius)),
+            );
         }
         let widest = (high[0] - low[0]).max(high[1] - low[1]);
         Self {
@@ -217,7 +229,11 @@ impl Stage {
         );
         let lens = Lens::fit(Camera::axonometric(), &self.seen, &area);
         self.floor(scene, &lens);
-        let shadow: Vec<Vec3> = arm.points.iter().map(|p| [p[0], p[1], self.low[2]]).collect();
+        let shadow: Vec<Vec3> = arm
+            .points
+            .iter()
+            .map(|p| [p[0], p[1], self.low[2]])
+            .collect();
         let width = self.radius * lens.scale * 1.1;
         scene.polyline(lens.line(&shadow), Stroke::solid(Ink::Shadow, width));
         if views.path.len() > 1 {
@@ -272,7 +288,8 @@ fn legend(scene: &mut Scene, views: &ArmViews, grid: f64, y: f64) {
     let mut x = 16.0;
     let mut entry = |scene: &mut Scene, ink: Ink, name: &str| {
         scene.line([x, y], [x + 22.0, y], Stroke::solid(ink, 2.6));
-        scene.text(Text::new([x + 29.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted));
+        scene
+            .text(Text::new([x + 29.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted));
         x += 29.0 + font::width(name, SMALL) + 22.0;
     };
     entry(scene, Ink::ToolX, "i, tool x");

@@ -62,7 +62,11 @@ impl Axes {
             let ink = if value == 0.0 { Ink::Axis } else { Ink::Grid };
             scene.line([left, at], [right, at], Stroke::solid(ink, 1.0));
         }
-        scene.shape(Form::Rect(self.area, 0.0), None, Some(Stroke::solid(Ink::Axis, 1.0)));
+        scene.shape(
+            Form::Rect(self.area, 0.0),
+            None,
+            Some(Stroke::solid(Ink::Axis, 1.0)),
+        );
     }
 
     /// Tick labels and name under the panel.

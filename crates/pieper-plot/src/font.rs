@@ -17,10 +17,8 @@ pub(crate) const FAMILIES: &str =
 pub(crate) const HALF_DIGIT: f64 = 0.36;
 
 fn face() -> Option<&'static Face<'static>> {
-    FACE.get_or_init(|| {
-        Face::parse(include_bytes!("../assets/DejaVuSans-subset.ttf"), 0).ok()
-    })
-    .as_ref()
+    FACE.get_or_init(|| Face::parse(include_bytes!("../assets/DejaVuSans-subset.ttf"), 0).ok())
+        .as_ref()
 }
 
 /// The width of a line of text.

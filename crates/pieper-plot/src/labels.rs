@@ -41,7 +41,12 @@ pub(crate) fn merge(marks: Vec<Tag>) -> Vec<Tag> {
         .map(|group| Tag {
             at: group[0].at,
             hidden: group.iter().all(|mark| mark.hidden),
-            text: join(&group.iter().map(|mark| mark.text.as_str()).collect::<Vec<_>>()),
+            text: join(
+                &group
+                    .iter()
+                    .map(|mark| mark.text.as_str())
+                    .collect::<Vec<_>>(),
+            ),
         })
         .collect()
 }
@@ -109,7 +114,11 @@ pub(crate) fn draw(scene: &mut Scene, tags: &[Tag], lines: &[Vec<Point>], bounds
         dot(scene, tag.at, tag.hidden);
     }
     for (tag, rect) in tags.iter().zip(&taken) {
-        scene.text(Text::centered(rect.center(), &tag.text, NORMAL).bold().halo(Ink::Wall));
+        scene.text(
+            Text::centered(rect.center(), &tag.text, NORMAL)
+                .bold()
+                .halo(Ink::Wall),
+        );
     }
 }
 

@@ -27,6 +27,8 @@ const HIGHEST: f64 = 400.0;
 const ARROWS: f64 = 240.0;
 /// Shorter stretches have none.
 const SHORT: f64 = 34.0;
+/// How far arrow heads keep from marks and from each other.
+const APART: f64 = 17.0;
 
 const SEEN: Stroke = Stroke::solid(Ink::Path, 2.2);
 const FAR: Stroke = Stroke::dashed(Ink::Hidden, 1.8, &[4.0, 3.0]);
@@ -153,7 +155,10 @@ impl<'a> Drawing<'a> {
             Space::Directions => [[-1.14, 1.14]; 3],
             Space::Positions => bounds(views),
         };
-        let widest = bounds.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+        let widest = bounds
+            .iter()
+            .map(|[low, high]| high - low)
+            .fold(0.0, f64::max);
         let (unit, suffix) = match views.space {
             Space::Directions => (1.0, ""),
             Space::Positions if widest < 3.0 => (1e-3, ", mm"),
@@ -189,11 +194,27 @@ impl<'a> Drawing<'a> {
             sphere::axes(scene, &lens, names);
             self.path(scene, &lens, &area);
         } else {
-            let inner = Rect::new(area.left + 66.0, area.top + 2.0, area.width - 96.0, area.height - 48.0);
+            let inner = Rect::new(
+                area.left + 52.0,
+                area.top + 2.0,
+                area.width - 82.0,
+                area.height - 48.0,
+            );
             let lens = Lens::fit(camera, &corners(low, high), &inner);
             let unit = self.unit;
-            Room { low, high, names, unit }.draw(scene, &lens);
-            let fallen: Vec<Vec3> = self.views.path.iter().map(|p| [p[0], p[1], low[2]]).collect();
+            Room {
+                low,
+                high,
+                names,
+                unit,
+            }
+            .draw(scene, &lens);
+            let fallen: Vec<Vec3> = self
+                .views
+                .path
+                .iter()
+                .map(|p| [p[0], p[1], low[2]])
+                .collect();
             scene.polyline(thinned(&lens.line(&fallen)), SHADOW);
             self.path(scene, &lens, &inner);
         }
@@ -246,19 +267,7 @@ impl<'a> Drawing<'a> {
         } else {
             scene.polyline(line.clone(), SEEN);
         }
-        for ends in stops(self.views).windows(2) {
-            let stretch = &self.views.path[ends[0]..=ends[1]];
-            if on_sphere {
-                for part in sphere::stretches(&lens.camera, stretch) {
-                    let ink = if part.hidden { Ink::Hidden } else { Ink::Path };
-                    let heads = arrows(&thinned(&lens.line(&part.points)));
-                    heads.into_iter().for_each(|(at, way)| arrow(scene, at, way, ink));
-                }
-            } else {
-                let heads = arrows(&thinned(&lens.line(stretch)));
-                heads.into_iter().for_each(|(at, way)| arrow(scene, at, way, Ink::Path));
-            }
-        }
+        self.heads(scene, lens);
         let marks = self.views.marks.iter().map(|mark| Tag {
             at: lens.at(mark.at),
             text: mark.label.clone(),
@@ -271,14 +280,45 @@ impl<'a> Drawing<'a> {
         labels::draw(scene, &tags, &[line], bounds);
     }
 
+    /// Arrow heads on each stretch between marks.
+    fn heads(&self, scene: &mut Scene, lens: &Lens) {
+        let mut taken: Vec<Point> = self
+            .views
+            .marks
+            .iter()
+            .map(|mark| lens.at(mark.at))
+            .collect();
+        for ends in stops(self.views).windows(2) {
+            let stretch = &self.views.path[ends[0]..=ends[1]];
+            let parts = match self.views.space {
+                Space::Directions => sphere::stretches(&lens.camera, stretch),
+                Space::Positions => vec![sphere::Stretch {
+                    points: stretch.to_vec(),
+                    hidden: false,
+                }],
+            };
+            for part in parts {
+                let ink = if part.hidden { Ink::Hidden } else { Ink::Path };
+                let heads = arrows(&thinned(&lens.line(&part.points)), &mut taken);
+                heads
+                    .into_iter()
+                    .for_each(|(at, way)| arrow(scene, at, way, ink));
+            }
+        }
+    }
+
     fn legend(&self, scene: &mut Scene, y: f64) {
         let mut x = LEFT;
         let mut entry = |scene: &mut Scene, sample: &dyn Fn(&mut Scene, f64), name: &str| {
             sample(scene, x);
-            scene.text(Text::new([x + 42.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted));
+            scene.text(
+                Text::new([x + 42.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted),
+            );
             x += 42.0 + font::width(name, SMALL) + 26.0;
         };
-        let line = |stroke: Stroke| move |scene: &mut Scene, x: f64| scene.line([x, y], [x + 34.0, y], stroke);
+        let line = |stroke: Stroke| {
+            move |scene: &mut Scene, x: f64| scene.line([x, y], [x + 34.0, y], stroke)
+        };
         if self.views.space == Space::Directions {
             entry(scene, &line(SEEN), "near side of the sphere");
             entry(scene, &line(FAR), "far side");
@@ -292,9 +332,17 @@ impl<'a> Drawing<'a> {
         };
         entry(scene, &head, "direction of motion");
         if !self.views.marks.is_empty() {
-            entry(scene, &|scene, x| labels::dot(scene, [x + 28.0, y], false), "reference position");
+            entry(
+                scene,
+                &|scene, x| labels::dot(scene, [x + 28.0, y], false),
+                "reference position",
+            );
             if self.views.space == Space::Directions {
-                entry(scene, &|scene, x| labels::dot(scene, [x + 28.0, y], true), "on the far side");
+                entry(
+                    scene,
+                    &|scene, x| labels::dot(scene, [x + 28.0, y], true),
+                    "on the far side",
+                );
             }
         }
     }
@@ -302,7 +350,12 @@ impl<'a> Drawing<'a> {
 
 /// The box of a path: as tight as its extents allow, but never flat.
 fn bounds(views: &PathViews) -> [[f64; 2]; 3] {
-    let points = || views.path.iter().chain(views.marks.iter().map(|mark| &mark.at));
+    let points = || {
+        views
+            .path
+            .iter()
+            .chain(views.marks.iter().map(|mark| &mark.at))
+    };
     let tight = [0, 1, 2].map(|k| {
         let [low, high] = points().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| {
             [a.min(p[k]), b.max(p[k])]
@@ -343,7 +396,10 @@ fn stops(views: &PathViews) -> Vec<usize> {
     let mut stops = vec![0];
     let mut from = 0;
     for mark in &views.marks {
-        if let Some(ahead) = views.path[from..].iter().position(|point| *point == mark.at) {
+        if let Some(ahead) = views.path[from..]
+            .iter()
+            .position(|point| *point == mark.at)
+        {
             from += ahead;
             stops.push(from);
         }
@@ -353,34 +409,62 @@ fn stops(views: &PathViews) -> Vec<usize> {
     stops
 }
 
-/// Places and directions of arrow heads at equal distances along a line, away from its ends.
-fn arrows(line: &[Point]) -> Vec<(Point, Point)> {
-    let length = |ends: &[Point]| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
-    let total: f64 = line.windows(2).map(length).sum();
+/// Places and directions of arrow heads at equal distances along a line. A head that would cover
+/// something at `taken` moves aside along the line, where there is room.
+fn arrows(line: &[Point], taken: &mut Vec<Point>) -> Vec<(Point, Point)> {
+    let total: f64 = line.windows(2).map(|ends| distance(ends[0], ends[1])).sum();
     if total < SHORT {
         return Vec::new();
     }
     let count = (total / ARROWS).round().max(1.0);
-    let (mut done, mut next) = (0.0, 0.5);
+    let spacing = total / count;
     let mut heads = Vec::new();
-    for ends in line.windows(2) {
-        let here = length(ends);
-        while next < count && next * total / count <= done + here {
-            let share = (next * total / count - done) / here;
-            let [dx, dy] = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
-            let at = [ends[0][0] + share * dx, ends[0][1] + share * dy];
-            heads.push((at, [dx / here, dy / here]));
-            next += 1.0;
+    for k in 0..count as u32 {
+        let middle = (f64::from(k) + 0.5) * spacing;
+        let shifts = [0.0, -0.1, 0.1, -0.2, 0.2, -0.3, 0.3];
+        let places = shifts.map(|shift| along(line, middle + shift * spacing));
+        let free = places
+            .iter()
+            .flatten()
+            .find(|(at, _)| taken.iter().all(|other| distance(*at, *other) > APART));
+        if let Some((at, way)) = free.or(places[0].as_ref()) {
+            taken.push(*at);
+            heads.push((*at, *way));
         }
-        done += here;
     }
     heads
 }
 
+fn distance(a: Point, b: Point) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// The place at a length along a line, and the line's direction there.
+fn along(line: &[Point], length: f64) -> Option<(Point, Point)> {
+    let mut left = length;
+    for ends in line.windows(2) {
+        let here = distance(ends[0], ends[1]);
+        if left <= here && here > 0.0 {
+            let way = [0, 1].map(|k| (ends[1][k] - ends[0][k]) / here);
+            return Some(([0, 1].map(|k| ends[0][k] + left * way[k]), way));
+        }
+        left -= here;
+    }
+    None
+}
+
 fn arrow(scene: &mut Scene, at: Point, [x, y]: Point, ink: Ink) {
     let corner = |along: f64, across: f64| {
-        [at[0] + along * x - across * y, at[1] + along * y + across * x]
+        [
+            at[0] + along * x - across * y,
+            at[1] + along * y + across * x,
+        ]
     };
-    let head = vec![corner(7.0, 0.0), corner(-5.0, 5.0), corner(-2.5, 0.0), corner(-5.0, -5.0)];
+    let head = vec![
+        corner(7.0, 0.0),
+        corner(-5.0, 5.0),
+        corner(-2.5, 0.0),
+        corner(-5.0, -5.0),
+    ];
     scene.polygon(head, ink, Some(Stroke::solid(Ink::Wall, 0.8)));
 }

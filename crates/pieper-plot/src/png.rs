@@ -1,6 +1,6 @@
 //! SVG to PNG.
 
-use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
 use crate::error::{Error, Result};
@@ -20,7 +20,13 @@ pub(crate) fn render(svg: &str, scale: f64) -> Result<Vec<u8>> {
     let [width, height] = [size.width(), size.height()].map(|side| (side * scale).round() as u32);
     let mut pixels = Pixmap::new(width, height)
         .ok_or_else(|| Error::render(format!("no bitmap of {width} x {height} pixels")))?;
-    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    // Sides that are no whole number of pixels would leave a half-covered edge.
+    pixels.fill(Color::WHITE);
+    resvg::render(
+        &tree,
+        Transform::from_scale(scale, scale),
+        &mut pixels.as_mut(),
+    );
     pixels
         .encode_png()
         .map_err(|error| Error::render(error.to_string()))

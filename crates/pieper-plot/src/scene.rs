@@ -130,10 +130,11 @@ impl Text {
 }
 
 impl Scene {
+    /// An empty picture; its sides are whole numbers, so that bitmaps have no half-covered edge.
     pub(crate) fn new(width: f64, height: f64) -> Self {
         Self {
-            width,
-            height,
+            width: width.ceil(),
+            height: height.ceil(),
             items: Vec::new(),
         }
     }

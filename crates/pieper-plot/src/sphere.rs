@@ -76,7 +76,9 @@ fn grid() -> Vec<Vec<Vec3>> {
     let parallel = |k: u32| {
         let latitude = PI * (f64::from(k) / 6.0 - 0.5);
         let longitudes = (0..=72).map(|j| TAU * f64::from(j) / 72.0);
-        longitudes.map(|longitude| at(latitude, longitude)).collect()
+        longitudes
+            .map(|longitude| at(latitude, longitude))
+            .collect()
     };
     (0..12).map(meridian).chain((1..6).map(parallel)).collect()
 }
@@ -94,8 +96,13 @@ pub(crate) fn axes(scene: &mut Scene, lens: &Lens, names: [&str; 3]) {
         let [x, y] = lens.camera.see(axis);
         let seen = x.hypot(y).max(1e-9);
         // An axis that points away comes out from behind the silhouette, others out of the surface.
-        let surface = if dot(lens.camera.toward, axis) < 0.0 { 1.0 / seen } else { 1.0 };
-        let [outer, label] = [1.17 / seen, 1.28 / seen].map(|length| lens.at(axis.map(|x| x * length)));
+        let surface = if dot(lens.camera.toward, axis) < 0.0 {
+            1.0 / seen
+        } else {
+            1.0
+        };
+        let [outer, label] =
+            [1.17 / seen, 1.28 / seen].map(|length| lens.at(axis.map(|x| x * length)));
         let inner = lens.at(axis.map(|x| x * surface));
         let faint = Stroke::dashed(Ink::Axis, 0.8, &[2.0, 3.0]);
         scene.line(lens.at([0.0; 3]), inner, faint);

@@ -114,7 +114,11 @@ fn paint(out: &mut String, fill: Option<Ink>, stroke: Option<Stroke>) {
         stroke.ink.light(),
         number(stroke.width),
         // Round ends would close the gaps of short dashes.
-        if stroke.dash.is_empty() { "round" } else { "butt" }
+        if stroke.dash.is_empty() {
+            "round"
+        } else {
+            "butt"
+        }
     );
     if !stroke.dash.is_empty() {
         let dash: Vec<String> = stroke.dash.iter().map(|&d| number(d)).collect();

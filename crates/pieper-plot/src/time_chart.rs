@@ -117,8 +117,21 @@ pub struct TimeChart {
 /// one value per time.
 pub fn time_chart(chart: &TimeChart) -> Result<Figure> {
     check(chart)?;
-    let times = padded(range(chart.times.iter().copied().chain(chart.marks.iter().map(|m| m.time))), 0.015);
-    let panel_height = if chart.panels.len() == 1 { 330.0 } else { 210.0 };
+    let times = padded(
+        range(
+            chart
+                .times
+                .iter()
+                .copied()
+                .chain(chart.marks.iter().map(|m| m.time)),
+        ),
+        0.015,
+    );
+    let panel_height = if chart.panels.len() == 1 {
+        330.0
+    } else {
+        210.0
+    };
     let strip = if chart.marks.is_empty() { 0.0 } else { STRIP };
     let mut top = 0.0;
     let mut areas = Vec::new();
@@ -149,7 +162,10 @@ fn check(chart: &TimeChart) -> Result<()> {
     }
     finite("times", &chart.times)?;
     if !chart.times.is_sorted() {
-        return Err(Error::input("times", "moments in ascending order were expected"));
+        return Err(Error::input(
+            "times",
+            "moments in ascending order were expected",
+        ));
     }
     if chart.panels.iter().all(|panel| panel.series.is_empty()) {
         return Err(Error::input("panels", "at least one series was expected"));
@@ -157,7 +173,10 @@ fn check(chart: &TimeChart) -> Result<()> {
     for series in chart.panels.iter().flat_map(|panel| &panel.series) {
         let subject = format!("series {}", series.name);
         if series.values.len() != count {
-            let message = format!("{count} values were expected, {} were given", series.values.len());
+            let message = format!(
+                "{count} values were expected, {} were given",
+                series.values.len()
+            );
             return Err(Error::input(subject, message));
         }
         finite(&subject, &series.values)?;
@@ -270,9 +289,17 @@ fn marker(scene: &mut Scene, [x, y]: Point, index: usize) {
     let at = |offsets: &[Point]| offsets.iter().map(|[dx, dy]| [x + dx, y + dy]).collect();
     match index % 6 {
         0 => scene.disc([x, y], 4.2, ink, rim),
-        1 => scene.polygon(at(&[[-3.8, -3.8], [3.8, -3.8], [3.8, 3.8], [-3.8, 3.8]]), ink, rim),
+        1 => scene.polygon(
+            at(&[[-3.8, -3.8], [3.8, -3.8], [3.8, 3.8], [-3.8, 3.8]]),
+            ink,
+            rim,
+        ),
         2 => scene.polygon(at(&[[0.0, -5.2], [4.8, 3.6], [-4.8, 3.6]]), ink, rim),
-        3 => scene.polygon(at(&[[0.0, -5.4], [5.4, 0.0], [0.0, 5.4], [-5.4, 0.0]]), ink, rim),
+        3 => scene.polygon(
+            at(&[[0.0, -5.4], [5.4, 0.0], [0.0, 5.4], [-5.4, 0.0]]),
+            ink,
+            rim,
+        ),
         4 => scene.polygon(at(&[[0.0, 5.2], [4.8, -3.6], [-4.8, -3.6]]), ink, rim),
         _ => scene.disc([x, y], 3.6, Ink::Paper, Some(Stroke::solid(ink, 2.0))),
     }

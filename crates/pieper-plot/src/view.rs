@@ -75,7 +75,9 @@ impl Camera {
     pub(crate) fn extent(&self, points: &[Vec3]) -> [[f64; 2]; 2] {
         let span = |k: usize| {
             let places = points.iter().map(|&point| self.see(point)[k]);
-            places.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+            places.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
+                [a.min(x), b.max(x)]
+            })
         };
         [span(0), span(1)]
     }
@@ -111,7 +113,10 @@ impl Lens {
 
     pub(crate) fn at(&self, point: Vec3) -> Point {
         let [x, y] = self.camera.see(point);
-        [self.offset[0] + self.scale * x, self.offset[1] - self.scale * y]
+        [
+            self.offset[0] + self.scale * x,
+            self.offset[1] - self.scale * y,
+        ]
     }
 
     pub(crate) fn line(&self, points: &[Vec3]) -> Vec<Point> {
@@ -120,9 +125,8 @@ impl Lens {
 }
 
 pub(crate) fn corners(low: Vec3, high: Vec3) -> [Vec3; 8] {
-    [0, 1, 2, 3, 4, 5, 6, 7].map(|bits: usize| {
-        [0, 1, 2].map(|k| if bits >> k & 1 == 0 { low[k] } else { high[k] })
-    })
+    [0, 1, 2, 3, 4, 5, 6, 7]
+        .map(|bits: usize| [0, 1, 2].map(|k| if bits >> k & 1 == 0 { low[k] } else { high[k] }))
 }
 
 /// A box whose far walls carry a grid and whose near edges carry ticks.
@@ -151,9 +155,18 @@ impl Room<'_> {
             place(low[0], high[1], high[2]),
             place(low[0], low[1], high[2]),
         ];
-        let back = [floor[3], floor[2], place(high[0], high[1], high[2]), left[2]];
+        let back = [
+            floor[3],
+            floor[2],
+            place(high[0], high[1], high[2]),
+            left[2],
+        ];
         for wall in [floor, left, back] {
-            scene.polygon(wall.to_vec(), Ink::Wall, Some(Stroke::solid(Ink::Axis, 0.8)));
+            scene.polygon(
+                wall.to_vec(),
+                Ink::Wall,
+                Some(Stroke::solid(Ink::Axis, 0.8)),
+            );
         }
         for axis in 0..3 {
             self.draw_axis(scene, lens, axis);
@@ -164,9 +177,21 @@ impl Room<'_> {
         let (low, high) = (self.low, self.high);
         // The labelled edge, and the two far edges the grid lines of this axis run along.
         let (edge, bend, end) = match axis {
-            0 => ([0.0, low[1], low[2]], [0.0, high[1], low[2]], [0.0, high[1], high[2]]),
-            1 => ([high[0], 0.0, low[2]], [low[0], 0.0, low[2]], [low[0], 0.0, high[2]]),
-            _ => ([low[0], low[1], 0.0], [low[0], high[1], 0.0], [high[0], high[1], 0.0]),
+            0 => (
+                [0.0, low[1], low[2]],
+                [0.0, high[1], low[2]],
+                [0.0, high[1], high[2]],
+            ),
+            1 => (
+                [high[0], 0.0, low[2]],
+                [low[0], 0.0, low[2]],
+                [low[0], 0.0, high[2]],
+            ),
+            _ => (
+                [low[0], low[1], 0.0],
+                [low[0], high[1], 0.0],
+                [high[0], high[1], 0.0],
+            ),
         };
         let with = |mut corner: Vec3, value: f64| {
             corner[axis] = value;
@@ -193,6 +218,12 @@ impl Room<'_> {
             widest = widest.max(font::width(&label, SMALL));
             scene.polyline(line, Stroke::solid(Ink::Grid, 0.9));
             scene.text(Text::centered(center, label, SMALL).ink(Ink::Muted));
+        }
+        if axis == 2 {
+            // Over the end of the axis: beside its tick labels it would need a wide margin.
+            let [x, y] = with(edge, high[axis]);
+            scene.text(Text::centered([x, y - 13.0], self.names[axis], NORMAL));
+            return;
         }
         let middle = with(edge, (low[axis] + high[axis]) / 2.0);
         let gap = 12.0 + outward[0].abs() * widest + outward[1].abs() * SMALL;

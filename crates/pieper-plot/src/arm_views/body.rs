@@ -20,7 +20,18 @@ enum Part {
 pub(super) fn draw(scene: &mut Scene, lens: &Lens, arm: &Arm, radius: f64) {
     let up = [0.0, 0.0, 1.0];
     let base = arm.points[0];
-    prism(scene, lens, &Prism::new(add(base, up, 0.15 * radius), up, 2.2 * radius, 0.15 * radius, 40), [Ink::Link, Ink::Link]);
+    prism(
+        scene,
+        lens,
+        &Prism::new(
+            add(base, up, 0.15 * radius),
+            up,
+            2.2 * radius,
+            0.15 * radius,
+            40,
+        ),
+        [Ink::Link, Ink::Link],
+    );
     let mut parts: Vec<(f64, Part)> = Vec::new();
     for ends in arm.points.windows(2) {
         let middle = add(ends[0], add(ends[1], ends[0], -1.0), 0.5);
@@ -32,9 +43,15 @@ pub(super) fn draw(scene: &mut Scene, lens: &Lens, arm: &Arm, radius: f64) {
         };
         let at = apart(arm, joint, axis, radius);
         // A joint is thicker than the links that meet in it, so it covers their ends.
-        let links = arm.points.windows(2).filter(|ends| touches(ends, at, radius));
+        let links = arm
+            .points
+            .windows(2)
+            .filter(|ends| touches(ends, at, radius));
         let depth = links
-            .map(|ends| lens.camera.depth(add(ends[0], add(ends[1], ends[0], -1.0), 0.5)))
+            .map(|ends| {
+                lens.camera
+                    .depth(add(ends[0], add(ends[1], ends[0], -1.0), 0.5))
+            })
             .fold(lens.camera.depth(at), f64::max);
         parts.push((depth + 1e-3 * radius, Part::Joint(at, axis, joint.kind)));
     }
@@ -104,7 +121,11 @@ struct Prism {
 
 impl Prism {
     fn new(at: Vec3, axis: Vec3, radius: f64, half: f64, sides: u32) -> Self {
-        let helper = if axis[2].abs() < 0.9 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
+        let helper = if axis[2].abs() < 0.9 {
+            [0.0, 0.0, 1.0]
+        } else {
+            [1.0, 0.0, 0.0]
+        };
         let across = unit(cross(axis, helper)).unwrap_or([1.0, 0.0, 0.0]);
         let other = cross(axis, across);
         let ring = |end: f64| {
@@ -179,7 +200,12 @@ fn tool(scene: &mut Scene, lens: &Lens, arm: &Arm, radius: f64) {
         // An axis that points at the eye is a dot.
         if length > 4.0 {
             let at = [to[0] + 8.0 * dx / length, to[1] + 8.0 * dy / length];
-            scene.text(Text::centered(at, name, SMALL).ink(ink).bold().halo(Ink::Paper));
+            scene.text(
+                Text::centered(at, name, SMALL)
+                    .ink(ink)
+                    .bold()
+                    .halo(Ink::Paper),
+            );
         }
     }
     scene.disc(from, 2.6, Ink::Text, Some(Stroke::solid(Ink::Paper, 0.8)));

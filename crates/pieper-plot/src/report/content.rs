@@ -137,7 +137,11 @@ impl Matrix {
     }
 
     fn write(&self, out: &mut String) {
-        let _ = write!(out, "<div class=\"matrix\"><span class=\"name\">{}", escape(&self.name));
+        let _ = write!(
+            out,
+            "<div class=\"matrix\"><span class=\"name\">{}",
+            escape(&self.name)
+        );
         if !self.note.is_empty() {
             let _ = write!(out, "<small>{}</small>", escape(&self.note));
         }
@@ -174,10 +178,16 @@ impl Table {
         }
     }
 
-    /// Adds a row.
+    /// Adds a row. Numbers keep the plain minus sign, so that cells paste into a spreadsheet; only a
+    /// rounded "-0.00" loses it.
     #[must_use]
     pub fn row<S: Into<String>>(mut self, cells: impl IntoIterator<Item = S>) -> Self {
-        self.rows.push(cells.into_iter().map(S::into).collect());
+        self.rows.push(
+            cells
+                .into_iter()
+                .map(|cell| unsigned_zero(cell.into()))
+                .collect(),
+        );
         self
     }
 
@@ -186,9 +196,17 @@ impl Table {
             self.write_rows(out, &self.rows, &self.caption);
             return;
         }
-        let first = format!("{} (first {SHOWN} of {} rows)", self.caption, self.rows.len());
+        let first = format!(
+            "{} (first {SHOWN} of {} rows)",
+            self.caption,
+            self.rows.len()
+        );
         self.write_rows(out, &self.rows[..SHOWN], &first);
-        let _ = writeln!(out, "<details><summary>All {} rows</summary>", self.rows.len());
+        let _ = writeln!(
+            out,
+            "<details><summary>All {} rows</summary>",
+            self.rows.len()
+        );
         self.write_rows(out, &self.rows, &self.caption);
         out.push_str("</details>\n");
     }
@@ -211,5 +229,12 @@ impl Table {
             out.push_str("</tr>\n");
         }
         out.push_str("</tbody></table></div>\n");
+    }
+}
+
+fn unsigned_zero(cell: String) -> String {
+    match cell.strip_prefix('-') {
+        Some(digits) if digits.parse() == Ok(0.0) => digits.to_owned(),
+        _ => cell,
     }
 }

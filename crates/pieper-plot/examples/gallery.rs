@@ -59,6 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("j", &j),
         ("k", &k),
         ("panels", &sliders),
+        ("scara", &scara()?),
     ];
     for (name, figure) in figures {
         write(folder, name, figure)?;
@@ -212,6 +213,40 @@ fn path_of(tools: &[Pose], title: &str, which: usize, space: Space) -> pieper_pl
             })
             .collect(),
         path,
+    })
+}
+
+/// An arm with a sliding joint, alone in its figure.
+fn scara() -> pieper_plot::Result<Figure> {
+    let joint = |at, kind| ArmJoint {
+        at,
+        axis: [0.0, 0.0, 1.0],
+        kind,
+    };
+    arm_views(&ArmViews {
+        title: "A SCARA arm".into(),
+        arms: vec![Arm {
+            label: "home".into(),
+            note: "q = (20°, 45°, 60 mm, 0°)".into(),
+            points: vec![
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.24],
+                [0.23, 0.08, 0.24],
+                [0.34, 0.26, 0.24],
+                [0.34, 0.26, 0.08],
+            ],
+            joints: vec![
+                joint([0.0, 0.0, 0.24], JointKind::Revolute),
+                joint([0.23, 0.08, 0.24], JointKind::Revolute),
+                joint([0.34, 0.26, 0.24], JointKind::Prismatic),
+                joint([0.34, 0.26, 0.24], JointKind::Revolute),
+            ],
+            tool: ToolFrame {
+                at: [0.34, 0.26, 0.08],
+                axes: [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]],
+            },
+        }],
+        path: vec![],
     })
 }
 

@@ -7,6 +7,7 @@ use crate::error::{Error, Result, finite};
 use crate::figure::Figure;
 use crate::font;
 use crate::ink::Ink;
+use crate::legend::{self, Entry};
 use crate::scene::{Form, Rect, Scene, Stroke, Text};
 use crate::ticks::ticks;
 use crate::view::{Camera, Lens, Vec3, add, norm};
@@ -20,7 +21,6 @@ const HEAD: f64 = 34.0;
 const FOOT: f64 = 16.0;
 /// Left and right of each picture.
 const SIDE: f64 = 10.0;
-const LEGEND: f64 = 36.0;
 
 /// Which motion a joint allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,7 +117,10 @@ pub fn arm_views(views: &ArmViews) -> Result<Figure> {
     let stage = Stage::new(views);
     let cell_width = width / columns as f64;
     let cell_height = HEAD + FOOT + (cell_width - 2.0 * SIDE) * stage.steepness();
-    let height = count.div_ceil(columns) as f64 * cell_height + LEGEND;
+    let legend = legend(views, stage.grid);
+    let borders = [16.0, width - 16.0];
+    let cells = count.div_ceil(columns) as f64 * cell_height;
+    let height = cells + legend::height(&legend, borders) + 12.0;
     let mut scene = Scene::new(width, height);
     for (index, arm) in views.arms.iter().enumerate() {
         let (row, column) = (index / columns, index % columns);
@@ -125,7 +128,7 @@ pub fn arm_views(views: &ArmViews) -> Result<Figure> {
         let cell = Rect::new(corner[0], corner[1], cell_width, cell_height);
         stage.draw(&mut scene, views, arm, cell);
     }
-    legend(&mut scene, views, stage.grid, height - LEGEND / 2.0);
+    legend::draw(&mut scene, &legend, borders, cells + 6.0);
     Ok(Figure::new(&views.title, scene))
 }
 
@@ -240,7 +243,7 @@ impl Stage {
             scene.polyline(lens.line(&views.path), Stroke::solid(Ink::Hidden, 1.4));
         }
         body::draw(scene, &lens, arm, self.radius);
-        label(scene, arm, [cell.left + 12.0, cell.top + 14.0]);
+        label(scene, arm, cell);
         scene.close();
     }
 
@@ -274,34 +277,50 @@ impl Stage {
     }
 }
 
-fn label(scene: &mut Scene, arm: &Arm, [left, middle]: [f64; 2]) {
-    let width = (font::width(&arm.label, SMALL) + 10.0).max(20.0);
+fn label(scene: &mut Scene, arm: &Arm, cell: Rect) {
+    let [left, middle] = [cell.left + 12.0, cell.top + 14.0];
+    let name = font::fit(&arm.label, SMALL, cell.width / 2.0);
+    let width = (font::width(&name, SMALL) + 10.0).max(20.0);
     let frame = Rect::new(left, middle - 10.0, width, 20.0);
     let rim = Stroke::solid(Ink::Muted, 1.0);
     scene.shape(Form::Rect(frame, 10.0), Some(Ink::Paper), Some(rim));
-    scene.text(Text::centered(frame.center(), &arm.label, SMALL).bold());
+    scene.text(Text::centered(frame.center(), name, SMALL).bold());
     let at = [frame.right() + 7.0, middle + font::HALF_DIGIT * SMALL];
-    scene.text(Text::new(at, &arm.note, SMALL).ink(Ink::Muted));
+    let note = font::fit(&arm.note, SMALL, cell.right() - at[0] - 4.0);
+    scene.text(Text::new(at, note, SMALL).ink(Ink::Muted));
 }
 
-fn legend(scene: &mut Scene, views: &ArmViews, grid: f64, y: f64) {
-    let mut x = 16.0;
-    let mut entry = |scene: &mut Scene, ink: Ink, name: &str| {
-        scene.line([x, y], [x + 22.0, y], Stroke::solid(ink, 2.6));
-        scene
-            .text(Text::new([x + 29.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted));
-        x += 29.0 + font::width(name, SMALL) + 22.0;
+fn legend(views: &ArmViews, grid: f64) -> Vec<Entry<'static>> {
+    let line = |ink: Ink, name: &str| {
+        let stroke = Stroke::solid(ink, 2.6);
+        Entry::new(24.0, name, move |scene, x, y| {
+            scene.line([x, y], [x + 24.0, y], stroke)
+        })
     };
-    entry(scene, Ink::ToolX, "i, tool x");
-    entry(scene, Ink::ToolY, "j, tool y");
-    entry(scene, Ink::ToolZ, "k, tool z");
+    let mut entries = vec![
+        line(Ink::ToolX, "i, tool x"),
+        line(Ink::ToolY, "j, tool y"),
+        line(Ink::ToolZ, "k, tool z"),
+    ];
     if views.path.len() > 1 {
-        entry(scene, Ink::Hidden, "path of the tool");
+        entries.push(line(Ink::Hidden, "path of the tool"));
     }
     let squares = if grid < 1.0 {
         format!("floor squares {} mm", (grid * 1e6).round() / 1e3)
     } else {
         format!("floor squares {grid} m")
     };
-    entry(scene, Ink::Grid, &squares);
+    entries.push(Entry::new(22.0, squares, square));
+    entries
+}
+
+/// A sample of the floor.
+fn square(scene: &mut Scene, x: f64, y: f64) {
+    let corners = vec![
+        [x, y + 1.0],
+        [x + 13.0, y + 5.0],
+        [x + 22.0, y],
+        [x + 9.0, y - 4.0],
+    ];
+    scene.polygon(corners, Ink::Wall, Some(Stroke::solid(Ink::Axis, 1.0)));
 }

@@ -5,7 +5,7 @@ use crate::ink::Ink;
 use crate::scene::{Anchor, Form, Point, Rect, Scene, Stroke, Text};
 use crate::ticks::Ticks;
 
-/// The size of tick labels; names of axes and entries of legends are one larger.
+/// The size of tick labels and legends; names of axes and marks are one larger.
 pub(crate) const SMALL: f64 = 12.0;
 pub(crate) const NORMAL: f64 = 13.0;
 
@@ -92,6 +92,7 @@ impl Axes {
             scene.text(text.ink(Ink::Muted));
         }
         let at = [left - widest - 18.0, self.area.center()[1]];
+        let name = font::fit(name, NORMAL, self.area.height + 20.0);
         let text = Text::new(at, name, NORMAL).anchor(Anchor::Middle);
         scene.text(text.upwards());
     }

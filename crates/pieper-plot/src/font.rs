@@ -32,6 +32,18 @@ pub(crate) fn width(text: &str, size: f64) -> f64 {
     }
 }
 
+/// The text, cut with an ellipsis where it is wider than `room`.
+pub(crate) fn fit(text: &str, size: f64, room: f64) -> String {
+    if width(text, size) <= room {
+        return text.to_owned();
+    }
+    let mut kept = text.to_owned();
+    while kept.pop().is_some() && width(&kept, size) + size > room {}
+    kept.truncate(kept.trim_end().len());
+    kept.push('\u{2026}');
+    kept
+}
+
 /// SVG path data of a line of text whose baseline starts at `origin`.
 pub(crate) fn outline(text: &str, size: f64, origin: [f64; 2]) -> String {
     let Some(face) = face() else {

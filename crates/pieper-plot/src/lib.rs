@@ -33,6 +33,7 @@ mod figure;
 
 mod axes;
 mod labels;
+mod legend;
 mod ticks;
 mod view;
 

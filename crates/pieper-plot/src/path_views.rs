@@ -1,11 +1,11 @@
 //! A path in space: an axonometric view and the three projections.
 
-use crate::axes::{Axes, NORMAL, SMALL};
+use crate::axes::{Axes, NORMAL};
 use crate::error::{Error, Result, finite};
 use crate::figure::Figure;
-use crate::font;
 use crate::ink::Ink;
 use crate::labels::{self, Tag};
+use crate::legend::{self, Entry};
 use crate::scene::{Point, Rect, Scene, Stroke, Text};
 use crate::sphere;
 use crate::ticks::{range, ticks};
@@ -20,7 +20,6 @@ const BETWEEN: f64 = 86.0;
 const ABOVE: f64 = 30.0;
 /// Below each panel: tick labels and the name of an axis.
 const BELOW: f64 = 52.0;
-const LEGEND: f64 = 34.0;
 /// The highest a panel may be, so that a figure fits on a screen.
 const HIGHEST: f64 = 400.0;
 /// Distance between arrow heads along a stretch between marks.
@@ -109,7 +108,13 @@ pub fn path_views(views: &PathViews) -> Result<Figure> {
     drawing.projection(&mut scene, [0, 1], layout.xy);
     drawing.projection(&mut scene, [1, 2], layout.yz);
     drawing.projection(&mut scene, [0, 2], layout.xz);
-    drawing.legend(&mut scene, layout.height - LEGEND / 2.0 - 4.0);
+    let borders = [LEFT, WIDTH - RIGHT];
+    legend::draw(
+        &mut scene,
+        &drawing.legend(),
+        borders,
+        layout.height - legend::ROW - 6.0,
+    );
     Ok(Figure::new(&views.title, scene))
 }
 
@@ -136,7 +141,7 @@ impl Layout {
             xy: Rect::new(right, ABOVE, x, y),
             yz: Rect::new(left, below, y, z),
             xz: Rect::new(right, below, x, z),
-            height: below + z + BELOW + LEGEND,
+            height: below + z + BELOW + legend::ROW + 8.0,
         }
     }
 }
@@ -307,44 +312,42 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    fn legend(&self, scene: &mut Scene, y: f64) {
-        let mut x = LEFT;
-        let mut entry = |scene: &mut Scene, sample: &dyn Fn(&mut Scene, f64), name: &str| {
-            sample(scene, x);
-            scene.text(
-                Text::new([x + 42.0, y + font::HALF_DIGIT * SMALL], name, SMALL).ink(Ink::Muted),
-            );
-            x += 42.0 + font::width(name, SMALL) + 26.0;
+    fn legend(&self) -> Vec<Entry<'static>> {
+        let line = |stroke: Stroke, name: &str| {
+            Entry::new(34.0, name, move |scene, x, y| {
+                scene.line([x, y], [x + 34.0, y], stroke)
+            })
         };
-        let line = |stroke: Stroke| {
-            move |scene: &mut Scene, x: f64| scene.line([x, y], [x + 34.0, y], stroke)
+        let dot = |hidden: bool, name: &str| {
+            Entry::new(10.0, name, move |scene, x, y| {
+                labels::dot(scene, [x + 5.0, y], hidden)
+            })
         };
-        if self.views.space == Space::Directions {
-            entry(scene, &line(SEEN), "near side of the sphere");
-            entry(scene, &line(FAR), "far side");
-        } else {
-            entry(scene, &line(SEEN), "path");
-            entry(scene, &line(SHADOW), "its foot on the floor of the box");
-        }
-        let head = |scene: &mut Scene, x: f64| {
+        let head = Entry::new(34.0, "direction of motion", |scene, x, y| {
             scene.line([x, y], [x + 34.0, y], SEEN);
             arrow(scene, [x + 17.0, y], [1.0, 0.0], Ink::Path);
+        });
+        let on_sphere = self.views.space == Space::Directions;
+        let mut entries = if on_sphere {
+            vec![
+                line(SEEN, "near side of the sphere"),
+                line(FAR, "far side"),
+                head,
+            ]
+        } else {
+            vec![
+                line(SEEN, "path"),
+                line(SHADOW, "its foot on the floor of the box"),
+                head,
+            ]
         };
-        entry(scene, &head, "direction of motion");
         if !self.views.marks.is_empty() {
-            entry(
-                scene,
-                &|scene, x| labels::dot(scene, [x + 28.0, y], false),
-                "reference position",
-            );
-            if self.views.space == Space::Directions {
-                entry(
-                    scene,
-                    &|scene, x| labels::dot(scene, [x + 28.0, y], true),
-                    "on the far side",
-                );
+            entries.push(dot(false, "reference position"));
+            if on_sphere {
+                entries.push(dot(true, "on the far side"));
             }
         }
+        entries
     }
 }
 

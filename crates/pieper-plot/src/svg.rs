@@ -20,6 +20,9 @@ pub(crate) enum Mode {
     Outlined,
 }
 
+/// The size of titles.
+const TITLE: f64 = 16.0;
+
 /// Writes a scene; `above` is the height of the band over it that holds the title.
 pub(crate) fn write(scene: &Scene, title: &str, above: f64, mode: Mode) -> String {
     let mut out = String::with_capacity(16 * 1024);
@@ -50,7 +53,8 @@ pub(crate) fn write(scene: &Scene, title: &str, above: f64, mode: Mode) -> Strin
                 stroke: None,
             },
         );
-        let title = Text::new([16.0, -above + 27.0], title, 16.0).bold();
+        let title = font::fit(title, TITLE, width - 32.0);
+        let title = Text::new([16.0, -above + 27.0], title, TITLE).bold();
         text(&mut out, &title, mode);
     }
     for item in &scene.items {

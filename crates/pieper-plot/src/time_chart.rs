@@ -1,11 +1,12 @@
 //! Quantities over time: one panel below the other on a common time axis.
 
-use crate::axes::{Axes, NORMAL, SMALL};
+use crate::axes::{Axes, SMALL};
 use crate::error::{Error, Result, finite};
 use crate::figure::Figure;
 use crate::font;
 use crate::ink::{self, Ink};
 use crate::labels;
+use crate::legend::{self, Entry};
 use crate::scene::{Form, Point, Rect, Scene, Stroke, Text};
 use crate::ticks::{range, ticks};
 
@@ -14,7 +15,6 @@ const LEFT: f64 = 76.0;
 const RIGHT: f64 = 20.0;
 /// The strip over the first panel that holds the labels of marks.
 const STRIP: f64 = 26.0;
-const LEGEND_ROW: f64 = 24.0;
 const BETWEEN: f64 = 18.0;
 const BELOW: f64 = 48.0;
 /// Distance between a line's markers. Lines take turns in it, so that markers of lines that
@@ -208,7 +208,7 @@ struct Place {
 fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, place: Place) {
     scene.open(&panel.name);
     let time_ticks = ticks(axes.x.values[0], axes.x.values[1], 12, "s");
-    let rows = (axes.area.height / 45.0) as usize;
+    let rows = (axes.area.height / 32.0) as usize;
     let value_ticks = ticks(axes.y.values[0], axes.y.values[1], rows, &panel.unit);
     axes.ground(scene, &time_ticks, &value_ticks);
     axes.label_y(scene, &value_ticks, &with_unit(&panel.name, &panel.unit));
@@ -236,7 +236,7 @@ fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, 
             x += MARKER_SPACING;
         }
     }
-    draw_legend(scene, panel, place.legend);
+    legend::draw(scene, &legend(panel), BORDERS, place.legend);
     scene.close();
 }
 
@@ -307,66 +307,67 @@ fn marker(scene: &mut Scene, [x, y]: Point, index: usize) {
 
 const SAMPLE: f64 = 40.0;
 
-/// The entries of a legend: left edges and rows.
-fn legend_places(panel: &Panel) -> Vec<(f64, usize)> {
-    let (mut x, mut row) = (LEFT, 0);
-    let mut places = Vec::new();
-    for series in &panel.series {
-        let width = SAMPLE + 8.0 + font::width(&series.name, NORMAL) + 22.0;
-        if x + width > WIDTH - RIGHT && x > LEFT {
-            (x, row) = (LEFT, row + 1);
-        }
-        places.push((x, row));
-        x += width;
-    }
-    places
+const BORDERS: [f64; 2] = [LEFT, WIDTH - RIGHT];
+
+fn legend(panel: &Panel) -> Vec<Entry<'_>> {
+    let entry = |(index, series): (usize, &Series)| {
+        let sample = move |scene: &mut Scene, x: f64, y: f64| {
+            scene.line([x, y], [x + SAMPLE, y], stroke(index));
+            marker(scene, [x + SAMPLE / 2.0, y], index);
+        };
+        Entry::new(SAMPLE, &series.name, sample).fitted(BORDERS)
+    };
+    panel.series.iter().enumerate().map(entry).collect()
 }
 
 fn legend_height(panel: &Panel) -> f64 {
-    legend_places(panel)
-        .last()
-        .map_or(0.0, |(_, row)| LEGEND_ROW * (*row as f64 + 1.0) + 6.0)
+    legend::height(&legend(panel), BORDERS) + 6.0
 }
 
-fn draw_legend(scene: &mut Scene, panel: &Panel, top: f64) {
-    for (index, (series, (x, row))) in panel.series.iter().zip(legend_places(panel)).enumerate() {
-        let y = top + LEGEND_ROW * (row as f64 + 0.5);
-        scene.line([x, y], [x + SAMPLE, y], stroke(index));
-        marker(scene, [x + SAMPLE / 2.0, y], index);
-        let at = [x + SAMPLE + 8.0, y + font::HALF_DIGIT * NORMAL];
-        scene.text(Text::new(at, &series.name, NORMAL));
+/// The label of marks that stand close together.
+struct Pill {
+    places: Vec<f64>,
+    labels: Vec<String>,
+}
+
+impl Pill {
+    fn text(&self) -> String {
+        let labels: Vec<&str> = self.labels.iter().map(String::as_str).collect();
+        font::fit(&labels::join(&labels), SMALL, 200.0)
+    }
+
+    /// The frame around the label, inside the picture.
+    fn frame(&self, y: f64) -> Rect {
+        let middle = self.places.iter().sum::<f64>() / self.places.len() as f64;
+        let width = (font::width(&self.text(), SMALL) + 10.0).max(20.0);
+        let middle = middle.clamp(2.0 + width / 2.0, WIDTH - 2.0 - width / 2.0);
+        Rect::around([middle, y], width, 20.0)
     }
 }
 
 /// The labels of marks, in small frames on the upper ends of their lines.
 fn draw_mark_labels(scene: &mut Scene, chart: &TimeChart, axes: &Axes) {
-    let mut marks: Vec<(f64, &str)> = chart
-        .marks
-        .iter()
-        .map(|mark| (axes.x.at(mark.time), mark.label.as_str()))
-        .collect();
-    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut groups: Vec<(Vec<f64>, Vec<&str>)> = Vec::new();
-    for (x, label) in marks {
-        match groups.last_mut() {
-            Some((places, labels)) if x - places[0] < 20.0 => {
-                places.push(x);
-                labels.push(label);
-            }
-            _ => groups.push((vec![x], vec![label])),
-        }
-    }
     let y = axes.area.top - 14.0;
-    for (places, names) in groups {
-        let text = labels::join(&names);
-        let x = places.iter().sum::<f64>() / places.len() as f64;
-        let width = (font::width(&text, SMALL) + 10.0).max(20.0);
-        let frame = Rect::around([x, y], width, 20.0);
-        scene.shape(
-            Form::Rect(frame, 10.0),
-            Some(Ink::Paper),
-            Some(Stroke::solid(Ink::Muted, 1.0)),
-        );
-        scene.text(Text::centered([x, y], text, SMALL).bold());
+    let mut marks: Vec<&TimeMark> = chart.marks.iter().collect();
+    marks.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let mut pills: Vec<Pill> = Vec::new();
+    for mark in marks {
+        let mut pill = Pill {
+            places: vec![axes.x.at(mark.time)],
+            labels: vec![mark.label.clone()],
+        };
+        // A label that would touch the one before it joins it, which may then touch the next.
+        while let Some(last) = pills.pop_if(|last| last.frame(y).right() + 2.0 > pill.frame(y).left)
+        {
+            pill.places.splice(0..0, last.places);
+            pill.labels.splice(0..0, last.labels);
+        }
+        pills.push(pill);
+    }
+    for pill in pills {
+        let frame = pill.frame(y);
+        let rim = Stroke::solid(Ink::Muted, 1.0);
+        scene.shape(Form::Rect(frame, 10.0), Some(Ink::Paper), Some(rim));
+        scene.text(Text::centered(frame.center(), pill.text(), SMALL).bold());
     }
 }

@@ -3,7 +3,7 @@
 use crate::axes::{NORMAL, SMALL};
 use crate::font;
 use crate::ink::Ink;
-use crate::scene::{Point, Rect, Scene, Stroke, Text};
+use crate::scene::{Anchor, Point, Rect, Scene, Stroke, Text};
 use crate::ticks::ticks;
 
 /// A place or direction in space.
@@ -222,7 +222,8 @@ impl Room<'_> {
         if axis == 2 {
             // Over the end of the axis: beside its tick labels it would need a wide margin.
             let [x, y] = with(edge, high[axis]);
-            scene.text(Text::centered([x, y - 13.0], self.names[axis], NORMAL));
+            let text = Text::new([x + 2.0, y - 9.0], self.names[axis], NORMAL);
+            scene.text(text.anchor(Anchor::End));
             return;
         }
         let middle = with(edge, (low[axis] + high[axis]) / 2.0);

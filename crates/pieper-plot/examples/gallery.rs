@@ -97,7 +97,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             Section::new("Poses at the reference positions")
                 .paragraph("Columns n, s, a (the tool's axes) and p (its point, in metres) in the frame of the base.")
                 .matrices(matrices(&tools)),
-        );
+        )
+        .footer("Written by the example gallery of pieper-plot.");
     fs::write(folder.join("report.html"), report.to_html())?;
     Ok(())
 }

@@ -18,7 +18,7 @@ const ALONE: f64 = 520.0;
 /// Above each picture: its label.
 const HEAD: f64 = 34.0;
 /// Below each picture: the names of the floor's axes.
-const FOOT: f64 = 16.0;
+const FOOT: f64 = 18.0;
 /// Left and right of each picture.
 const SIDE: f64 = 10.0;
 
@@ -269,10 +269,37 @@ impl Stage {
         for y in lines(1) {
             scene.line(at(low[0], y), at(high[0], y), stroke);
         }
-        let [x, y] = [0, 1].map(|k| (low[k] + high[k]) / 2.0);
-        for (edge, side, name) in [(at(x, low[1]), -9.0, "x₀"), (at(high[0], y), 9.0, "y₀")] {
-            let center = [edge[0] + side, edge[1] + 10.0];
-            scene.text(Text::centered(center, name, SMALL).ink(Ink::Muted));
+        self.name_edges(scene, lens);
+    }
+
+    /// Names the axes of the base along the near edges of the floor.
+    fn name_edges(&self, scene: &mut Scene, lens: &Lens) {
+        let (low, high) = (self.low, self.high);
+        let corner = [high[0], low[1], low[2]];
+        for (axis, side, name) in [(0, 1.0, "x₀"), (1, -1.0, "y₀")] {
+            let [mut from, mut to] = [corner; 2];
+            (from[axis], to[axis]) = (low[axis], high[axis]);
+            let [from, to] = [lens.at(from), lens.at(to)];
+            let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+            let way = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+            let middle = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
+            let beside = |along: f64| {
+                [
+                    middle[0] + along * way[0] - side * 11.0 * way[1].abs(),
+                    middle[1] + along * way[1] + 11.0 * way[0],
+                ]
+            };
+            let stroke = Stroke::solid(Ink::Muted, 1.0);
+            let [tail, tip] = [beside(2.0), beside(22.0)];
+            let back = |across: f64| {
+                [
+                    tip[0] - 5.0 * way[0] - across * way[1],
+                    tip[1] - 5.0 * way[1] + across * way[0],
+                ]
+            };
+            scene.line(tail, tip, stroke);
+            scene.polyline(vec![back(2.6), tip, back(-2.6)], stroke);
+            scene.text(Text::centered(beside(-8.0), name, SMALL).ink(Ink::Muted));
         }
     }
 }
@@ -304,6 +331,17 @@ fn legend(views: &ArmViews, grid: f64) -> Vec<Entry<'static>> {
     ];
     if views.path.len() > 1 {
         entries.push(line(Ink::Hidden, "path of the tool"));
+    }
+    let joints = || views.arms.iter().flat_map(|arm| &arm.joints);
+    if joints().any(|joint| joint.kind == JointKind::Prismatic) {
+        let disc = |ink: Ink, name: &str| {
+            let rim = Stroke::solid(Ink::Edge, 0.9);
+            Entry::new(10.0, name, move |scene, x, y| {
+                scene.disc([x + 5.0, y], 5.0, ink, Some(rim))
+            })
+        };
+        entries.push(disc(Ink::Joint, "joint that turns"));
+        entries.push(disc(Ink::Slider, "joint that slides"));
     }
     let squares = if grid < 1.0 {
         format!("floor squares {} mm", (grid * 1e6).round() / 1e3)

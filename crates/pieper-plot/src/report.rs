@@ -36,6 +36,7 @@ pub struct Report {
     lead: String,
     facts: Vec<(String, String)>,
     sections: Vec<Section>,
+    footer: String,
 }
 
 impl Report {
@@ -46,6 +47,7 @@ impl Report {
             lead: String::new(),
             facts: Vec::new(),
             sections: Vec::new(),
+            footer: String::new(),
         }
     }
 
@@ -70,6 +72,13 @@ impl Report {
         self
     }
 
+    /// The line at the foot of the page, such as the command that made it.
+    #[must_use]
+    pub fn footer(mut self, text: impl Into<String>) -> Self {
+        self.footer = text.into();
+        self
+    }
+
     /// The page; the same text for the same content, byte for byte.
     pub fn to_html(&self) -> String {
         let title = escape(&self.title);
@@ -90,7 +99,11 @@ impl Report {
         for (index, section) in self.sections.iter().enumerate() {
             section.write(&mut out, index + 1, &mut figures);
         }
-        out.push_str("</main>\n</body>\n</html>\n");
+        out.push_str("</main>\n");
+        if !self.footer.is_empty() {
+            let _ = writeln!(out, "<footer>{}</footer>", escape(&self.footer));
+        }
+        out.push_str("</body>\n</html>\n");
         out
     }
 

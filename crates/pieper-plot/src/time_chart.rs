@@ -257,16 +257,23 @@ fn value_at(times: &[f64], values: &[f64], axes: &Axes, x: f64) -> Option<f64> {
     Some(a[1] + share * (b[1] - a[1]))
 }
 
-/// Leaves out points that no eye can tell from their neighbours: long recordings stay small files.
+/// Leaves out what no eye can see, so that long recordings stay small files: of the points in a
+/// column half a pixel wide the first, the lowest, the highest and the last are kept.
 fn thinned(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::new();
-    for (index, point) in points.iter().enumerate() {
-        let far = kept
-            .last()
-            .is_none_or(|last| (point[0] - last[0]).hypot(point[1] - last[1]) > 0.4);
-        if far || index + 1 == points.len() {
-            kept.push(*point);
+    let column = |point: &Point| (2.0 * point[0]).floor();
+    for run in points.chunk_by(|a, b| column(a) == column(b)) {
+        if run.len() <= 4 {
+            kept.extend(run);
+            continue;
         }
+        let by_height = |a: &usize, b: &usize| run[*a][1].total_cmp(&run[*b][1]);
+        let lowest = (0..run.len()).min_by(by_height);
+        let highest = (0..run.len()).max_by(by_height);
+        let mut chosen = [Some(0), lowest, highest, Some(run.len() - 1)];
+        chosen.sort_unstable();
+        kept.extend(chosen.into_iter().flatten().map(|index| run[index]));
+        kept.dedup();
     }
     // A line needs two ends; one moment is drawn as a short dash.
     if let [only] = kept[..] {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Arm, ArmJoint, JointKind};
+use super::{Arm, JointKind};
 use crate::axes::SMALL;
 use crate::ink::Ink;
 use crate::scene::{Point, Scene, Stroke, Text};
@@ -33,15 +33,22 @@ pub(super) fn draw(scene: &mut Scene, lens: &Lens, arm: &Arm, radius: f64) {
         [Ink::Link, Ink::Link],
     );
     let mut parts: Vec<(f64, Part)> = Vec::new();
-    for ends in arm.points.windows(2) {
-        let middle = add(ends[0], add(ends[1], ends[0], -1.0), 0.5);
-        parts.push((lens.camera.depth(middle), Part::Link(ends[0], ends[1])));
+    for (index, ends) in arm.points.windows(2).enumerate() {
+        let along = add(ends[1], ends[0], -1.0);
+        // The first link stands on the base plate: its round end must not hang below it.
+        let lift = if index == 0 {
+            (0.8 * radius / norm(along).max(1e-12)).min(0.5)
+        } else {
+            0.0
+        };
+        let link = Part::Link(add(ends[0], along, lift), ends[1]);
+        parts.push((lens.camera.depth(add(ends[0], along, 0.5)), link));
     }
-    for joint in &arm.joints {
+    for (index, joint) in arm.joints.iter().enumerate() {
         let Some(axis) = unit(joint.axis) else {
             continue;
         };
-        let at = apart(arm, joint, axis, radius);
+        let at = place(arm, index, axis, radius);
         // A joint is thicker than the links that meet in it, so it covers their ends.
         let links = arm
             .points
@@ -65,38 +72,52 @@ pub(super) fn draw(scene: &mut Scene, lens: &Lens, arm: &Arm, radius: f64) {
             }
             Part::Joint(at, axis, JointKind::Prismatic) => {
                 let form = Prism::new(at, axis, 1.3 * radius, 1.8 * radius, 4);
-                prism(scene, lens, &form, [Ink::Slider, Ink::Slider]);
+                prism(scene, lens, &form, [Ink::Slider, Ink::SliderCap]);
             }
         }
     }
     tool(scene, lens, arm, radius);
 }
 
-/// Where a joint is drawn: joints that share a place move apart along the link they turn, and the
-/// first joint stands on the base plate, not in it.
-fn apart(arm: &Arm, joint: &ArmJoint, axis: Vec3, radius: f64) -> Vec3 {
-    let same = |point: &Vec3| norm(add(*point, joint.at, -1.0)) < 0.5 * radius;
-    let shared = arm.joints.iter().filter(|other| same(&other.at)).count() > 1;
-    if !shared && !same(&arm.points[0]) {
-        return joint.at;
-    }
-    let next = arm
+/// Where a joint is drawn: joints that share a place move along the link they turn or slide, one
+/// behind the other, and the first joint stands on the base plate, not in it.
+fn place(arm: &Arm, index: usize, axis: Vec3, radius: f64) -> Vec3 {
+    let at = arm.joints[index].at;
+    let same = |point: &Vec3| norm(add(*point, at, -1.0)) < 0.5 * radius;
+    let Some(link) = arm
         .points
         .iter()
         .rposition(same)
-        .and_then(|corner| arm.points.get(corner + 1));
-    let Some(&next) = next else {
-        return joint.at;
+        .and_then(|corner| arm.points.get(corner + 1))
+        .map(|next| add(*next, at, -1.0))
+    else {
+        return at;
     };
-    let link = add(next, joint.at, -1.0);
-    let along = unit(link).is_some_and(|direction| dot(direction, axis).abs() > 0.99);
-    if along {
-        let length = norm(link);
-        let distance = if shared { 3.2 * radius } else { 1.5 * radius };
-        add(joint.at, link, (distance / length).min(0.5))
-    } else {
-        joint.at
+    let runs_along = |axis: Vec3| match (unit(axis), unit(link)) {
+        (Some(axis), Some(link)) => dot(axis, link).abs() > 0.99,
+        _ => false,
+    };
+    if !runs_along(axis) {
+        return at;
     }
+    let here = || {
+        arm.joints
+            .iter()
+            .enumerate()
+            .filter(|(_, other)| same(&other.at))
+    };
+    let moved = || here().filter(|(_, other)| runs_along(other.axis));
+    let rank = moved().filter(|(other, _)| *other < index).count() as f64;
+    // Joints that stay keep the corner to themselves.
+    let free: f64 = if here().count() > moved().count() {
+        3.2
+    } else {
+        0.0
+    };
+    let stand = if same(&arm.points[0]) { 1.5 } else { 0.0 };
+    let share = (free.max(stand) + 3.2 * rank) * radius / norm(link);
+    let most = (rank + 1.0) / (moved().count() as f64 + 1.0);
+    add(at, link, share.min(most))
 }
 
 fn touches(ends: &[Vec3], at: Vec3, radius: f64) -> bool {

@@ -81,17 +81,20 @@ impl Axes {
         scene.text(Text::new(at, name, NORMAL).anchor(Anchor::Middle));
     }
 
+    /// The room that tick labels and name take left of a panel.
+    pub(crate) fn gutter(ticks: &Ticks) -> f64 {
+        ticks.widest_label() + 18.0 + NORMAL + 3.0
+    }
+
     /// Tick labels and name left of the panel.
     pub(crate) fn label_y(&self, scene: &mut Scene, ticks: &Ticks, name: &str) {
         let left = self.area.left;
-        let mut widest: f64 = 0.0;
         for (value, label) in ticks.values.iter().zip(ticks.labels()) {
-            widest = widest.max(font::width(&label, SMALL));
             let at = [left - 7.0, self.y.at(*value) + font::HALF_DIGIT * SMALL];
             let text = Text::new(at, label, SMALL).anchor(Anchor::End);
             scene.text(text.ink(Ink::Muted));
         }
-        let at = [left - widest - 18.0, self.area.center()[1]];
+        let at = [left - ticks.widest_label() - 18.0, self.area.center()[1]];
         let name = font::fit(name, NORMAL, self.area.height + 20.0);
         let text = Text::new(at, name, NORMAL).anchor(Anchor::Middle);
         scene.text(text.upwards());

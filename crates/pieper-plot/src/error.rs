@@ -65,16 +65,18 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// Beyond this a range of numbers may overflow on its way to a picture.
+const LARGEST: f64 = 1e100;
+
 /// Refuses numbers that have no place in a picture.
 pub(crate) fn finite<'a>(subject: &str, values: impl IntoIterator<Item = &'a f64>) -> Result<()> {
-    match values
-        .into_iter()
-        .enumerate()
-        .find(|(_, value)| !value.is_finite())
-    {
+    let bad = |value: &&f64| value.is_nan() || value.abs() > LARGEST;
+    match values.into_iter().enumerate().find(|(_, value)| bad(value)) {
         Some((index, value)) => Err(Error::input(
             subject,
-            format!("number {index} (from 0) is {value}; only finite numbers can be drawn"),
+            format!(
+                "number {index} (from 0) is {value}; only numbers up to {LARGEST:e} can be drawn"
+            ),
         )),
         None => Ok(()),
     }

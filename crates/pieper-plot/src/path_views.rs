@@ -8,14 +8,11 @@ use crate::labels::{self, Tag};
 use crate::legend::{self, Entry};
 use crate::scene::{Point, Rect, Scene, Stroke, Text};
 use crate::sphere;
-use crate::ticks::{range, ticks};
+use crate::ticks::{Ticks, level_ticks, ticks};
 use crate::view::{Camera, Lens, Room, Vec3, corners};
 
 const WIDTH: f64 = 920.0;
-const LEFT: f64 = 74.0;
 const RIGHT: f64 = 16.0;
-/// Between the columns: tick labels and the name of an axis.
-const BETWEEN: f64 = 86.0;
 /// Above each panel: its name.
 const ABOVE: f64 = 30.0;
 /// Below each panel: tick labels and the name of an axis.
@@ -102,13 +99,13 @@ pub fn path_views(views: &PathViews) -> Result<Figure> {
         finite(&format!("mark {}", mark.label), &mark.at)?;
     }
     let drawing = Drawing::new(views);
-    let layout = Layout::new(&drawing.bounds);
+    let layout = Layout::new(&drawing);
     let mut scene = Scene::new(WIDTH, layout.height);
     drawing.axonometric(&mut scene, layout.axonometric);
     drawing.projection(&mut scene, [0, 1], layout.xy);
     drawing.projection(&mut scene, [1, 2], layout.yz);
     drawing.projection(&mut scene, [0, 2], layout.xz);
-    let borders = [LEFT, WIDTH - RIGHT];
+    let borders = [layout.yz.left, WIDTH - RIGHT];
     legend::draw(
         &mut scene,
         &drawing.legend(),
@@ -128,13 +125,16 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(bounds: &[[f64; 2]; 3]) -> Self {
-        let [x, y, z] = bounds.map(|[low, high]| high - low);
-        let room = WIDTH - LEFT - BETWEEN - RIGHT;
+    fn new(drawing: &Drawing<'_>) -> Self {
+        let [x, y, z] = drawing.bounds.map(|[low, high]| high - low);
+        let [_, y_gutter, z_gutter] = [0, 1, 2].map(|axis| Axes::gutter(&drawing.ticks(axis)));
+        let first = z_gutter.max(56.0);
+        let second = y_gutter.max(z_gutter) + 16.0;
+        let room = WIDTH - first - second - RIGHT;
         let scale = (room / (x + y)).min(HIGHEST / y.max(z));
         let [x, y, z] = [x, y, z].map(|span| span * scale);
-        let left = LEFT + (room - x - y) / 2.0;
-        let right = left + y + BETWEEN;
+        let left = first + (room - x - y) / 2.0;
+        let right = left + y + second;
         let below = ABOVE + y + BELOW + ABOVE;
         Self {
             axonometric: Rect::new(16.0, ABOVE, left + y, y + 40.0),
@@ -181,6 +181,21 @@ impl<'a> Drawing<'a> {
         format!("{}{}", self.views.axes[axis], self.suffix)
     }
 
+    fn in_unit(&self, axis: usize) -> [f64; 2] {
+        self.bounds[axis].map(|end| end / self.unit)
+    }
+
+    /// How many ticks an axis has room for: with one step for all, the grids are squares.
+    fn count(&self, axis: usize) -> usize {
+        let [x, y, z] = self.bounds.map(|[low, high]| high - low);
+        (7.0 * [x, y, z][axis] / x.max(y).max(z)).round().max(2.0) as usize
+    }
+
+    fn ticks(&self, axis: usize) -> Ticks {
+        let [low, high] = self.in_unit(axis);
+        ticks(low, high, self.count(axis), "")
+    }
+
     fn axonometric(&self, scene: &mut Scene, area: Rect) {
         scene.open("axonometric");
         panel_name(scene, &area, "Axonometric view");
@@ -199,10 +214,11 @@ impl<'a> Drawing<'a> {
             sphere::axes(scene, &lens, names);
             self.path(scene, &lens, &area);
         } else {
+            let margin = self.ticks(2).widest_label().max(38.0) + 14.0;
             let inner = Rect::new(
-                area.left + 52.0,
+                area.left + margin,
                 area.top + 2.0,
-                area.width - 82.0,
+                area.width - margin - 30.0,
                 area.height - 48.0,
             );
             let lens = Lens::fit(camera, &corners(low, high), &inner);
@@ -230,15 +246,9 @@ impl<'a> Drawing<'a> {
         let names = [&self.views.axes[right], &self.views.axes[up]];
         scene.open(format!("{}-{}", names[0], names[1]));
         panel_name(scene, &area, &format!("{}\u{2013}{}", names[0], names[1]));
-        let in_unit = |axis: usize| self.bounds[axis].map(|end| end / self.unit);
-        let axes = Axes::new(area, in_unit(right), in_unit(up));
-        let [x_ticks, y_ticks] = [right, up].map(|axis| {
-            let [low, high] = in_unit(axis);
-            // One step for all projections: grids of squares.
-            let widest = self.bounds.iter().map(|[a, b]| b - a).fold(0.0, f64::max) / self.unit;
-            let count = (7.0 * (high - low) / widest).round().max(2.0) as usize;
-            ticks(low, high, count, "")
-        });
+        let axes = Axes::new(area, self.in_unit(right), self.in_unit(up));
+        let y_ticks = self.ticks(up);
+        let x_ticks = level_ticks(self.in_unit(right), self.count(right), "", area.width);
         axes.ground(scene, &x_ticks, &y_ticks);
         axes.label_x(scene, &x_ticks, &self.name(right));
         axes.label_y(scene, &y_ticks, &self.name(up));
@@ -366,11 +376,19 @@ fn bounds(views: &PathViews) -> [[f64; 2]; 3] {
         [(low + high) / 2.0, high - low]
     });
     let widest = tight.iter().map(|[_, span]| *span).fold(0.0, f64::max);
-    // A single point gets a box of a tenth of a metre.
-    let widest = if widest < 1e-9 { 0.1 } else { widest };
+    // A point, or what rounding left of one, gets a box of a tenth of a metre.
+    let farthest = tight
+        .iter()
+        .map(|[middle, _]| middle.abs())
+        .fold(0.0, f64::max);
+    let widest = if widest < 1e-9_f64.max(1e-7 * farthest) {
+        0.1_f64.max(1e-6 * farthest)
+    } else {
+        widest
+    };
     tight.map(|[middle, span]| {
         let half = (0.58 * span).max(0.36 * widest);
-        range([middle - half, middle + half])
+        [middle - half, middle + half]
     })
 }
 

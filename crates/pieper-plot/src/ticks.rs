@@ -1,5 +1,8 @@
 //! Round numbers along an axis.
 
+use crate::axes::SMALL;
+use crate::font;
+
 /// Round values inside a range, and how they are written.
 #[derive(Clone, Debug)]
 pub(crate) struct Ticks {
@@ -25,6 +28,20 @@ pub(crate) fn ticks(low: f64, high: f64, count: usize, unit: &str) -> Ticks {
     Ticks { values, step }
 }
 
+/// Like [`ticks`], but no more than have room for their labels side by side on a level axis `length`
+/// long.
+pub(crate) fn level_ticks([low, high]: [f64; 2], count: usize, unit: &str, length: f64) -> Ticks {
+    let mut count = count;
+    loop {
+        let ticks = ticks(low, high, count, unit);
+        let room = length * ticks.step / (high - low);
+        if count <= 2 || ticks.widest_label() + 12.0 <= room {
+            return ticks;
+        }
+        count -= 1;
+    }
+}
+
 /// The next number of the form 1, 2 or 5 times a power of ten.
 fn round_up(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {
@@ -38,19 +55,55 @@ fn round_up(least: f64) -> f64 {
 }
 
 impl Ticks {
-    /// The values' texts: as many decimals as the step needs, and a true minus sign.
+    /// The values' texts: as many digits as the step needs, and a true minus sign.
     pub(crate) fn labels(&self) -> Vec<String> {
-        let decimals = (-self.step.log10().floor()).clamp(0.0, 12.0) as usize;
-        let wide = self.values.iter().any(|value| value.abs() >= 1e6);
+        let largest = self
+            .values
+            .iter()
+            .fold(0.0, |size: f64, v| size.max(v.abs()));
+        let place = self.step.log10().floor();
+        let power = largest >= 1e6 || place < -4.0;
         let write = |value: &f64| {
-            if wide || self.step < 1e-6 {
-                minus(&format!("{value:.3e}"))
+            if power {
+                with_power(*value, place)
             } else {
+                let decimals = (-place).max(0.0) as usize;
                 minus(&format!("{value:.decimals$}"))
             }
         };
         self.values.iter().map(write).collect()
     }
+
+    /// The width of the widest label.
+    pub(crate) fn widest_label(&self) -> f64 {
+        let widths = self
+            .labels()
+            .into_iter()
+            .map(|label| font::width(&label, SMALL));
+        widths.fold(0.0, f64::max)
+    }
+}
+
+/// A number as "1.5·10⁻⁶", exact to the decimal place `place` (a power of ten).
+fn with_power(value: f64, place: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = (value.abs().log10().floor() - place).clamp(0.0, 9.0) as usize;
+    let text = format!("{value:.digits$e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent = exponent.chars().map(|c| match c {
+        '-' => '\u{207b}',
+        '1' => '\u{b9}',
+        '2' => '\u{b2}',
+        '3' => '\u{b3}',
+        digit => char::from_u32(0x2070 + digit.to_digit(10).unwrap_or_default()).unwrap_or(digit),
+    });
+    format!(
+        "{}\u{b7}10{}",
+        minus(mantissa),
+        exponent.collect::<String>()
+    )
 }
 
 /// The text of a number with a true minus sign, and without one on zero.

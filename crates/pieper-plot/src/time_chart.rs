@@ -1,17 +1,18 @@
 //! Quantities over time: one panel below the other on a common time axis.
 
-use crate::axes::{Axes, SMALL};
+mod line;
+mod marks;
+
+use crate::axes::Axes;
 use crate::error::{Error, Result, finite};
 use crate::figure::Figure;
-use crate::font;
-use crate::ink::{self, Ink};
-use crate::labels;
+use crate::ink::Ink;
 use crate::legend::{self, Entry};
-use crate::scene::{Form, Point, Rect, Scene, Stroke, Text};
-use crate::ticks::{range, ticks};
+use crate::scene::{Point, Rect, Scene, Stroke};
+use crate::ticks::{Ticks, level_ticks, range, ticks};
 
 const WIDTH: f64 = 920.0;
-const LEFT: f64 = 76.0;
+const LEAST_LEFT: f64 = 72.0;
 const RIGHT: f64 = 20.0;
 /// The strip over the first panel that holds the labels of marks.
 const STRIP: f64 = 26.0;
@@ -20,15 +21,6 @@ const BELOW: f64 = 48.0;
 /// Distance between a line's markers. Lines take turns in it, so that markers of lines that
 /// coincide stand side by side.
 const MARKER_SPACING: f64 = 168.0;
-
-const DASHES: [&[f64]; 6] = [
-    &[],
-    &[9.0, 4.0],
-    &[3.0, 2.5],
-    &[11.0, 3.0, 2.5, 3.0],
-    &[6.0, 2.5],
-    &[1.5, 2.0, 6.0, 2.0],
-];
 
 /// One quantity over time.
 #[derive(Clone, Debug)]
@@ -117,40 +109,39 @@ pub struct TimeChart {
 /// one value per time.
 pub fn time_chart(chart: &TimeChart) -> Result<Figure> {
     check(chart)?;
-    let times = padded(
-        range(
-            chart
-                .times
-                .iter()
-                .copied()
-                .chain(chart.marks.iter().map(|m| m.time)),
-        ),
-        0.015,
-    );
+    let moments = chart.times.iter().copied();
+    let moments = moments.chain(chart.marks.iter().map(|mark| mark.time));
+    let times = padded(range(moments), 0.015);
     let panel_height = if chart.panels.len() == 1 {
         330.0
     } else {
         210.0
     };
     let strip = if chart.marks.is_empty() { 0.0 } else { STRIP };
+    let gutters = chart
+        .panels
+        .iter()
+        .map(|panel| Axes::gutter(&value_ticks(panel, panel_height)));
+    let left = gutters.fold(LEAST_LEFT, f64::max);
+    let borders = [left, WIDTH - RIGHT];
     let mut top = 0.0;
     let mut areas = Vec::new();
     for (index, panel) in chart.panels.iter().enumerate() {
-        top += legend_height(panel) + if index == 0 { strip } else { 0.0 };
-        areas.push(Rect::new(LEFT, top, WIDTH - LEFT - RIGHT, panel_height));
+        top += legend_height(panel, borders) + if index == 0 { strip } else { 0.0 };
+        areas.push(Rect::new(left, top, WIDTH - RIGHT - left, panel_height));
         top += panel_height + BETWEEN;
     }
     let mut scene = Scene::new(WIDTH, top - BETWEEN + BELOW);
     for (index, (panel, area)) in chart.panels.iter().zip(&areas).enumerate() {
         let axes = Axes::new(*area, times, values_range(panel));
         let place = Place {
-            legend: area.top - legend_height(panel) - if index == 0 { strip } else { 0.0 },
+            legend: area.top - legend_height(panel, borders) - if index == 0 { strip } else { 0.0 },
             last: index + 1 == areas.len(),
         };
         draw_panel(&mut scene, chart, panel, &axes, place);
     }
     if let Some(first) = areas.first() {
-        draw_mark_labels(&mut scene, chart, &Axes::new(*first, times, [0.0, 1.0]));
+        marks::draw(&mut scene, chart, &Axes::new(*first, times, [0.0, 1.0]));
     }
     Ok(Figure::new(&chart.title, scene))
 }
@@ -205,11 +196,15 @@ struct Place {
     last: bool,
 }
 
+fn value_ticks(panel: &Panel, height: f64) -> Ticks {
+    let [low, high] = values_range(panel);
+    ticks(low, high, (height / 32.0) as usize, &panel.unit)
+}
+
 fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, place: Place) {
     scene.open(&panel.name);
-    let time_ticks = ticks(axes.x.values[0], axes.x.values[1], 12, "s");
-    let rows = (axes.area.height / 32.0) as usize;
-    let value_ticks = ticks(axes.y.values[0], axes.y.values[1], rows, &panel.unit);
+    let time_ticks = level_ticks(axes.x.values, 12, "s", axes.area.width);
+    let value_ticks = value_ticks(panel, axes.area.height);
     axes.ground(scene, &time_ticks, &value_ticks);
     axes.label_y(scene, &value_ticks, &with_unit(&panel.name, &panel.unit));
     if place.last {
@@ -223,20 +218,21 @@ fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, 
     for (index, series) in panel.series.iter().enumerate() {
         let points = chart.times.iter().zip(&series.values);
         let points: Vec<Point> = points.map(|(&t, &v)| axes.at([t, v])).collect();
-        scene.polyline(thinned(&points), stroke(index));
+        scene.polyline(line::thinned(&points), line::stroke(index));
     }
     // Markers after all lines, so that no line hides the marker of another.
     for (index, series) in panel.series.iter().enumerate() {
         let turn = (index as f64 + 0.5) / panel.series.len() as f64;
         let mut x = axes.area.left + turn * MARKER_SPACING;
         while x < axes.area.right() {
-            if let Some(y) = value_at(&chart.times, &series.values, axes, x) {
-                marker(scene, [x, y], index);
+            if let Some(y) = line::value_at(&chart.times, &series.values, axes, x) {
+                line::marker(scene, [x, y], index);
             }
             x += MARKER_SPACING;
         }
     }
-    legend::draw(scene, &legend(panel), BORDERS, place.legend);
+    let borders = [axes.area.left, axes.area.right()];
+    legend::draw(scene, &legend(panel, borders), borders, place.legend);
     scene.close();
 }
 
@@ -248,133 +244,19 @@ fn with_unit(name: &str, unit: &str) -> String {
     }
 }
 
-/// The height of the line at the place `x`, where the line reaches.
-fn value_at(times: &[f64], values: &[f64], axes: &Axes, x: f64) -> Option<f64> {
-    let after = times.iter().position(|&time| axes.x.at(time) >= x)?;
-    let before = after.checked_sub(1)?;
-    let [a, b] = [before, after].map(|k| axes.at([times[k], values[k]]));
-    let share = (x - a[0]) / (b[0] - a[0]);
-    Some(a[1] + share * (b[1] - a[1]))
-}
-
-/// Leaves out what no eye can see, so that long recordings stay small files: of the points in a
-/// column half a pixel wide the first, the lowest, the highest and the last are kept.
-fn thinned(points: &[Point]) -> Vec<Point> {
-    let mut kept: Vec<Point> = Vec::new();
-    let column = |point: &Point| (2.0 * point[0]).floor();
-    for run in points.chunk_by(|a, b| column(a) == column(b)) {
-        if run.len() <= 4 {
-            kept.extend(run);
-            continue;
-        }
-        let by_height = |a: &usize, b: &usize| run[*a][1].total_cmp(&run[*b][1]);
-        let lowest = (0..run.len()).min_by(by_height);
-        let highest = (0..run.len()).max_by(by_height);
-        let mut chosen = [Some(0), lowest, highest, Some(run.len() - 1)];
-        chosen.sort_unstable();
-        kept.extend(chosen.into_iter().flatten().map(|index| run[index]));
-        kept.dedup();
-    }
-    // A line needs two ends; one moment is drawn as a short dash.
-    if let [only] = kept[..] {
-        return vec![[only[0] - 4.0, only[1]], [only[0] + 4.0, only[1]]];
-    }
-    kept
-}
-
-fn series_ink(index: usize) -> Ink {
-    Ink::Series((index % usize::from(ink::SERIES)) as u8)
-}
-
-fn stroke(index: usize) -> Stroke {
-    Stroke::dashed(series_ink(index), 2.0, DASHES[index % DASHES.len()])
-}
-
-fn marker(scene: &mut Scene, [x, y]: Point, index: usize) {
-    let ink = series_ink(index);
-    let rim = Some(Stroke::solid(Ink::Paper, 1.0));
-    let at = |offsets: &[Point]| offsets.iter().map(|[dx, dy]| [x + dx, y + dy]).collect();
-    match index % 6 {
-        0 => scene.disc([x, y], 4.2, ink, rim),
-        1 => scene.polygon(
-            at(&[[-3.8, -3.8], [3.8, -3.8], [3.8, 3.8], [-3.8, 3.8]]),
-            ink,
-            rim,
-        ),
-        2 => scene.polygon(at(&[[0.0, -5.2], [4.8, 3.6], [-4.8, 3.6]]), ink, rim),
-        3 => scene.polygon(
-            at(&[[0.0, -5.4], [5.4, 0.0], [0.0, 5.4], [-5.4, 0.0]]),
-            ink,
-            rim,
-        ),
-        4 => scene.polygon(at(&[[0.0, 5.2], [4.8, -3.6], [-4.8, -3.6]]), ink, rim),
-        _ => scene.disc([x, y], 3.6, Ink::Paper, Some(Stroke::solid(ink, 2.0))),
-    }
-}
-
 const SAMPLE: f64 = 40.0;
 
-const BORDERS: [f64; 2] = [LEFT, WIDTH - RIGHT];
-
-fn legend(panel: &Panel) -> Vec<Entry<'_>> {
+fn legend(panel: &Panel, borders: [f64; 2]) -> Vec<Entry<'_>> {
     let entry = |(index, series): (usize, &Series)| {
         let sample = move |scene: &mut Scene, x: f64, y: f64| {
-            scene.line([x, y], [x + SAMPLE, y], stroke(index));
-            marker(scene, [x + SAMPLE / 2.0, y], index);
+            scene.line([x, y], [x + SAMPLE, y], line::stroke(index));
+            line::marker(scene, [x + SAMPLE / 2.0, y], index);
         };
-        Entry::new(SAMPLE, &series.name, sample).fitted(BORDERS)
+        Entry::new(SAMPLE, &series.name, sample).fitted(borders)
     };
     panel.series.iter().enumerate().map(entry).collect()
 }
 
-fn legend_height(panel: &Panel) -> f64 {
-    legend::height(&legend(panel), BORDERS) + 6.0
-}
-
-/// The label of marks that stand close together.
-struct Pill {
-    places: Vec<f64>,
-    labels: Vec<String>,
-}
-
-impl Pill {
-    fn text(&self) -> String {
-        let labels: Vec<&str> = self.labels.iter().map(String::as_str).collect();
-        font::fit(&labels::join(&labels), SMALL, 200.0)
-    }
-
-    /// The frame around the label, inside the picture.
-    fn frame(&self, y: f64) -> Rect {
-        let middle = self.places.iter().sum::<f64>() / self.places.len() as f64;
-        let width = (font::width(&self.text(), SMALL) + 10.0).max(20.0);
-        let middle = middle.clamp(2.0 + width / 2.0, WIDTH - 2.0 - width / 2.0);
-        Rect::around([middle, y], width, 20.0)
-    }
-}
-
-/// The labels of marks, in small frames on the upper ends of their lines.
-fn draw_mark_labels(scene: &mut Scene, chart: &TimeChart, axes: &Axes) {
-    let y = axes.area.top - 14.0;
-    let mut marks: Vec<&TimeMark> = chart.marks.iter().collect();
-    marks.sort_by(|a, b| a.time.total_cmp(&b.time));
-    let mut pills: Vec<Pill> = Vec::new();
-    for mark in marks {
-        let mut pill = Pill {
-            places: vec![axes.x.at(mark.time)],
-            labels: vec![mark.label.clone()],
-        };
-        // A label that would touch the one before it joins it, which may then touch the next.
-        while let Some(last) = pills.pop_if(|last| last.frame(y).right() + 2.0 > pill.frame(y).left)
-        {
-            pill.places.splice(0..0, last.places);
-            pill.labels.splice(0..0, last.labels);
-        }
-        pills.push(pill);
-    }
-    for pill in pills {
-        let frame = pill.frame(y);
-        let rim = Stroke::solid(Ink::Muted, 1.0);
-        scene.shape(Form::Rect(frame, 10.0), Some(Ink::Paper), Some(rim));
-        scene.text(Text::centered(frame.center(), pill.text(), SMALL).bold());
-    }
+fn legend_height(panel: &Panel, borders: [f64; 2]) -> f64 {
+    legend::height(&legend(panel, borders), borders) + 6.0
 }

@@ -4,7 +4,7 @@ use crate::axes::{NORMAL, SMALL};
 use crate::font;
 use crate::ink::Ink;
 use crate::scene::{Anchor, Point, Rect, Scene, Stroke, Text};
-use crate::ticks::ticks;
+use crate::ticks::{level_ticks, ticks};
 
 /// A place or direction in space.
 pub(crate) type Vec3 = [f64; 3];
@@ -197,7 +197,13 @@ impl Room<'_> {
             corner[axis] = value;
             lens.at(corner)
         };
-        let ticks = ticks(low[axis] / self.unit, high[axis] / self.unit, 5, "");
+        let ends = [low[axis], high[axis]].map(|end| end / self.unit);
+        let ticks = if axis == 2 {
+            ticks(ends[0], ends[1], 5, "")
+        } else {
+            let length = with(edge, high[axis])[0] - with(edge, low[axis])[0];
+            level_ticks(ends, 5, "", length.abs())
+        };
         let outward = {
             let middle = (low[axis] + high[axis]) / 2.0;
             let [from, to] = [with(bend, middle), with(edge, middle)];
@@ -210,12 +216,10 @@ impl Room<'_> {
             let reach = gap + outward[0].abs() * half_width + outward[1].abs() * half_height;
             [at[0] + reach * outward[0], at[1] + reach * outward[1]]
         };
-        let mut widest: f64 = 0.0;
         for (value, label) in ticks.values.iter().zip(ticks.labels()) {
             let value = value * self.unit;
             let line = vec![with(edge, value), with(bend, value), with(end, value)];
             let center = beside(line[0], &label, SMALL, 5.0);
-            widest = widest.max(font::width(&label, SMALL));
             scene.polyline(line, Stroke::solid(Ink::Grid, 0.9));
             scene.text(Text::centered(center, label, SMALL).ink(Ink::Muted));
         }
@@ -227,7 +231,7 @@ impl Room<'_> {
             return;
         }
         let middle = with(edge, (low[axis] + high[axis]) / 2.0);
-        let gap = 12.0 + outward[0].abs() * widest + outward[1].abs() * SMALL;
+        let gap = 12.0 + outward[0].abs() * ticks.widest_label() + outward[1].abs() * SMALL;
         let center = beside(middle, self.names[axis], NORMAL, gap);
         scene.text(Text::centered(center, self.names[axis], NORMAL));
     }

@@ -94,6 +94,31 @@ pub(crate) fn arms(count: usize) -> ArmViews {
     }
 }
 
+/// Residuals: numbers that need powers of ten.
+fn tiny() -> TimeChart {
+    let mut chart = chart();
+    for series in chart.panels.iter_mut().flat_map(|panel| &mut panel.series) {
+        series.values.iter_mut().for_each(|value| *value *= 3e-9);
+    }
+    chart.times.iter_mut().for_each(|time| *time *= 1e9);
+    chart.marks.clear();
+    chart
+}
+
+/// Long names, and marks that crowd.
+fn awkward() -> TimeChart {
+    let mut chart = chart();
+    let long = "a name that nobody would give to anything, and yet it may be in a file ".repeat(4);
+    chart.title.clone_from(&long);
+    chart.panels[0].name.clone_from(&long);
+    chart.panels[0].series[2].name.clone_from(&long);
+    chart.panels[1].unit = "rad/s".into();
+    for mark in &mut chart.marks {
+        mark.label = format!("{} {}", mark.label, &long[..20]);
+    }
+    chart
+}
+
 /// One figure of every kind, with paths that have no extent among them.
 pub(crate) fn figures() -> Vec<Figure> {
     let mut views = Vec::new();
@@ -115,12 +140,23 @@ pub(crate) fn figures() -> Vec<Figure> {
         };
         views.extend([whole, point, one, line]);
     }
+    let far = path(Space::Positions);
+    let far = PathViews {
+        path: far
+            .path
+            .iter()
+            .map(|p| p.map(|x| 1e-6 * x - 1234.5))
+            .collect(),
+        marks: vec![],
+        ..far
+    };
+    views.push(far);
     let mut moment = chart();
     moment.times.truncate(1);
     for series in moment.panels.iter_mut().flat_map(|panel| &mut panel.series) {
         series.values.truncate(1);
     }
-    let charts = [chart(), moment].map(|chart| time_chart(&chart).unwrap());
+    let charts = [chart(), moment, tiny(), awkward()].map(|chart| time_chart(&chart).unwrap());
     let paths = views.iter().map(|views| path_views(views).unwrap());
     let arms = [1, 2, 7].map(|count| arm_views(&arms(count)).unwrap());
     charts.into_iter().chain(paths).chain(arms).collect()

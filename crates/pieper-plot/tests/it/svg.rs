@@ -43,7 +43,12 @@ fn check_inside(document: &Document<'_>) {
     for text in texts(document) {
         let content = text.text().unwrap_or_default();
         let size = number(text, "font-size");
-        let long = 0.58 * size * content.chars().count() as f64;
+        let narrow = |c: char| " iljtfr.,'".contains(c);
+        let long: f64 = content
+            .chars()
+            .map(|c| if narrow(c) { 0.4 } else { 0.62 })
+            .sum();
+        let long = long * size;
         let before = match text.attribute("text-anchor") {
             Some("middle") => long / 2.0,
             Some("end") => long,

@@ -60,6 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("k", &k),
         ("panels", &sliders),
         ("scara", &scara()?),
+        ("errors", &errors()?),
     ];
     for (name, figure) in figures {
         write(folder, name, figure)?;
@@ -283,6 +284,48 @@ fn two_panels() -> pieper_plot::Result<Figure> {
             TimeMark {
                 label: "2".into(),
                 time: 1.02,
+            },
+        ],
+        times,
+    })
+}
+
+/// What a later user draws: errors, whose numbers need powers of ten.
+fn errors() -> pieper_plot::Result<Figure> {
+    let times: Vec<f64> = (0..20_000).map(|k| 0.0005 * f64::from(k)).collect();
+    let error = |size: f64, pace: f64| {
+        let value = |t: &f64| size * ((pace * t).sin() + 0.4 * (97.0 * pace * t).sin());
+        times.iter().map(value).collect()
+    };
+    time_chart(&TimeChart {
+        title: "Tracking error of a very good arm".into(),
+        panels: vec![
+            Panel::new(
+                "Position",
+                "mm",
+                vec![
+                    Series::new("x₀", error(3e-5, 1.0)),
+                    Series::new("y₀", error(1e-5, 1.7)),
+                ],
+            ),
+            Panel::new(
+                "Turn",
+                "rad",
+                vec![Series::new("about a", error(2e-9, 0.6))],
+            ),
+        ],
+        marks: vec![
+            TimeMark {
+                label: "approach".into(),
+                time: 2.0,
+            },
+            TimeMark {
+                label: "weld".into(),
+                time: 2.5,
+            },
+            TimeMark {
+                label: "retract".into(),
+                time: 8.0,
             },
         ],
         times,

@@ -83,7 +83,7 @@ impl Axes {
 
     /// The room that tick labels and name take left of a panel.
     pub(crate) fn gutter(ticks: &Ticks) -> f64 {
-        ticks.widest_label() + 18.0 + NORMAL + 3.0
+        ticks.widest_label() + 18.0 + NORMAL + 12.0
     }
 
     /// Tick labels and name left of the panel.

@@ -131,3 +131,23 @@ pub(crate) fn dot(scene: &mut Scene, at: Point, hidden: bool) {
         scene.disc(at, 4.2, Ink::Text, Some(rim));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_join_as_people_write_them() {
+        let cases: [(&[&str], &str); 6] = [
+            (&["3"], "3"),
+            (&["0", "4"], "0, 4"),
+            (&["2", "3"], "2, 3"),
+            (&["3", "4", "5", "6"], "3–6"),
+            (&["0", "1", "3", "4", "5"], "0, 1, 3–5"),
+            (&["pick", "2"], "pick, 2"),
+        ];
+        for (labels, expected) in cases {
+            assert_eq!(join(labels), expected);
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! A path in space: an axonometric view and the three projections.
 
+mod arrows;
+
 use crate::axes::{Axes, NORMAL};
 use crate::error::{Error, Result, finite};
 use crate::figure::Figure;
@@ -19,13 +21,6 @@ const ABOVE: f64 = 30.0;
 const BELOW: f64 = 52.0;
 /// The highest a panel may be, so that a figure fits on a screen.
 const HIGHEST: f64 = 400.0;
-/// Distance between arrow heads along a stretch between marks.
-const ARROWS: f64 = 240.0;
-/// Shorter stretches have none.
-const SHORT: f64 = 34.0;
-/// How far arrow heads keep from marks and from each other.
-const APART: f64 = 17.0;
-
 const SEEN: Stroke = Stroke::solid(Ink::Path, 2.2);
 const FAR: Stroke = Stroke::dashed(Ink::Hidden, 1.8, &[4.0, 3.0]);
 const SHADOW: Stroke = Stroke::solid(Ink::Shadow, 1.6);
@@ -314,10 +309,10 @@ impl<'a> Drawing<'a> {
             };
             for part in parts {
                 let ink = if part.hidden { Ink::Hidden } else { Ink::Path };
-                let heads = arrows(&thinned(&lens.line(&part.points)), &mut taken);
+                let heads = arrows::places(&thinned(&lens.line(&part.points)), &mut taken);
                 heads
                     .into_iter()
-                    .for_each(|(at, way)| arrow(scene, at, way, ink));
+                    .for_each(|(at, way)| arrows::draw(scene, at, way, ink));
             }
         }
     }
@@ -335,7 +330,7 @@ impl<'a> Drawing<'a> {
         };
         let head = Entry::new(34.0, "direction of motion", |scene, x, y| {
             scene.line([x, y], [x + 34.0, y], SEEN);
-            arrow(scene, [x + 17.0, y], [1.0, 0.0], Ink::Path);
+            arrows::draw(scene, [x + 17.0, y], [1.0, 0.0], Ink::Path);
         });
         let on_sphere = self.views.space == Space::Directions;
         let mut entries = if on_sphere {
@@ -428,64 +423,4 @@ fn stops(views: &PathViews) -> Vec<usize> {
     stops.push(views.path.len() - 1);
     stops.dedup();
     stops
-}
-
-/// Places and directions of arrow heads at equal distances along a line. A head that would cover
-/// something at `taken` moves aside along the line, where there is room.
-fn arrows(line: &[Point], taken: &mut Vec<Point>) -> Vec<(Point, Point)> {
-    let total: f64 = line.windows(2).map(|ends| distance(ends[0], ends[1])).sum();
-    if total < SHORT {
-        return Vec::new();
-    }
-    let count = (total / ARROWS).round().max(1.0);
-    let spacing = total / count;
-    let mut heads = Vec::new();
-    for k in 0..count as u32 {
-        let middle = (f64::from(k) + 0.5) * spacing;
-        let shifts = [0.0, -0.1, 0.1, -0.2, 0.2, -0.3, 0.3];
-        let places = shifts.map(|shift| along(line, middle + shift * spacing));
-        let free = places
-            .iter()
-            .flatten()
-            .find(|(at, _)| taken.iter().all(|other| distance(*at, *other) > APART));
-        if let Some((at, way)) = free.or(places[0].as_ref()) {
-            taken.push(*at);
-            heads.push((*at, *way));
-        }
-    }
-    heads
-}
-
-fn distance(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
-}
-
-/// The place at a length along a line, and the line's direction there.
-fn along(line: &[Point], length: f64) -> Option<(Point, Point)> {
-    let mut left = length;
-    for ends in line.windows(2) {
-        let here = distance(ends[0], ends[1]);
-        if left <= here && here > 0.0 {
-            let way = [0, 1].map(|k| (ends[1][k] - ends[0][k]) / here);
-            return Some(([0, 1].map(|k| ends[0][k] + left * way[k]), way));
-        }
-        left -= here;
-    }
-    None
-}
-
-fn arrow(scene: &mut Scene, at: Point, [x, y]: Point, ink: Ink) {
-    let corner = |along: f64, across: f64| {
-        [
-            at[0] + along * x - across * y,
-            at[1] + along * y + across * x,
-        ]
-    };
-    let head = vec![
-        corner(7.0, 0.0),
-        corner(-5.0, 5.0),
-        corner(-2.5, 0.0),
-        corner(-5.0, -5.0),
-    ];
-    scene.polygon(head, ink, Some(Stroke::solid(Ink::Wall, 0.8)));
 }

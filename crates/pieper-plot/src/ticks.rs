@@ -132,3 +132,29 @@ pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let room = if size > 1e-300 { size * 0.1 } else { 1.0 };
     [low - room, high + room]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_have_the_digits_their_step_needs() {
+        let cases: [(f64, f64, usize, &str, &[&str]); 6] = [
+            (
+                -95.0,
+                95.0,
+                8,
+                "°",
+                &["−90", "−60", "−30", "0", "30", "60", "90"],
+            ),
+            (-95.0, 95.0, 5, "mm", &["−50", "0", "50"]),
+            (0.0, 0.5, 5, "", &["0.0", "0.1", "0.2", "0.3", "0.4", "0.5"]),
+            (-1.5e-6, 1.5e-6, 3, "", &["−1·10⁻⁶", "0", "1·10⁻⁶"]),
+            (0.0, 1.5e7, 3, "", &["0", "5·10⁶", "1.0·10⁷", "1.5·10⁷"]),
+            (3.0, 3.0, 3, "", &["3"]),
+        ];
+        for (low, high, count, unit, expected) in cases {
+            assert_eq!(ticks(low, high, count, unit).labels(), expected);
+        }
+    }
+}

@@ -47,3 +47,15 @@ fn marks_too_close_for_two_labels_share_one() {
     let document = Document::parse(&svg).unwrap();
     assert!(texts(&document).any(|text| text.text() == Some("0\u{2013}2")));
 }
+
+#[test]
+fn long_recordings_stay_small_files() {
+    let mut chart = chart();
+    chart.times = (0..200_000).map(|k| 1e-4 * f64::from(k)).collect();
+    let noise = chart.times.iter().map(|t| (1e5 * t).sin()).collect();
+    chart.panels.truncate(1);
+    chart.panels[0].series.truncate(1);
+    chart.panels[0].series[0].values = noise;
+    let svg = time_chart(&chart).unwrap().to_svg(Theme::Page);
+    assert!(svg.len() < 200_000, "{}", svg.len());
+}

@@ -307,7 +307,7 @@ impl Stage {
 fn label(scene: &mut Scene, arm: &Arm, cell: Rect) {
     let [left, middle] = [cell.left + 12.0, cell.top + 14.0];
     let name = font::fit(&arm.label, SMALL, cell.width / 2.0);
-    let width = (font::width(&name, SMALL) + 10.0).max(20.0);
+    let width = (font::bold_width(&name, SMALL) + 10.0).max(20.0);
     let frame = Rect::new(left, middle - 10.0, width, 20.0);
     let rim = Stroke::solid(Ink::Muted, 1.0);
     scene.shape(Form::Rect(frame, 10.0), Some(Ink::Paper), Some(rim));

@@ -12,6 +12,9 @@ static FACE: OnceLock<Option<Face<'static>>> = OnceLock::new();
 pub(crate) const FAMILIES: &str =
     "system-ui, -apple-system, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
+/// How much wider than the embedded font a viewer's bold letters may be.
+pub(crate) const BOLDER: f64 = 1.12;
+
 /// Half the height of a digit, in units of the font size: how far below its middle a line of text
 /// has its baseline.
 pub(crate) const HALF_DIGIT: f64 = 0.36;
@@ -30,6 +33,11 @@ pub(crate) fn width(text: &str, size: f64) -> f64 {
         }
         None => 0.6 * size * text.chars().count() as f64,
     }
+}
+
+/// The width a line of bold text may have: viewers' bold letters are wider than the embedded font's.
+pub(crate) fn bold_width(text: &str, size: f64) -> f64 {
+    width(text, size) * BOLDER
 }
 
 /// The text, cut with an ellipsis where it is wider than `room`.

@@ -75,7 +75,7 @@ pub(crate) fn draw(scene: &mut Scene, tags: &[Tag], lines: &[Vec<Point>], bounds
         .collect();
     let mut taken: Vec<Rect> = Vec::new();
     for tag in tags {
-        let (width, height) = (font::width(&tag.text, NORMAL) + 4.0, NORMAL + 2.0);
+        let (width, height) = (font::bold_width(&tag.text, NORMAL) + 4.0, NORMAL + 2.0);
         let place = |step: u32, distance: f64| {
             let (sin, cos) = (TAU * (f64::from(step) + 0.5) / f64::from(DIRECTIONS)).sin_cos();
             // Wide labels keep their edge, not their middle, at the distance.

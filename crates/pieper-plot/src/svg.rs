@@ -23,9 +23,6 @@ pub(crate) enum Mode {
 /// The size of titles.
 const TITLE: f64 = 16.0;
 
-/// How much wider than the embedded font a viewer's bold letters may be.
-const BOLDER: f64 = 1.12;
-
 /// Writes a scene; `above` is the height of the band over it that holds the title.
 pub(crate) fn write(scene: &Scene, title: &str, above: f64, mode: Mode) -> String {
     let mut out = String::with_capacity(16 * 1024);
@@ -56,7 +53,7 @@ pub(crate) fn write(scene: &Scene, title: &str, above: f64, mode: Mode) -> Strin
                 stroke: None,
             },
         );
-        let title = font::fit(title, TITLE * BOLDER, width - 32.0);
+        let title = font::fit(title, TITLE * font::BOLDER, width - 32.0);
         let title = Text::new([16.0, -above + 27.0], title, TITLE).bold();
         text(&mut out, &title, mode);
     }

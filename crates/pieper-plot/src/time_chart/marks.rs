@@ -22,7 +22,7 @@ impl Pill {
     /// The frame around the label, inside the picture.
     fn frame(&self, y: f64) -> Rect {
         let middle = self.places.iter().sum::<f64>() / self.places.len() as f64;
-        let width = (font::width(&self.text(), SMALL) + 10.0).max(20.0);
+        let width = (font::bold_width(&self.text(), SMALL) + 10.0).max(20.0);
         let middle = middle.clamp(2.0 + width / 2.0, WIDTH - 2.0 - width / 2.0);
         Rect::around([middle, y], width, 20.0)
     }

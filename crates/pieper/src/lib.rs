@@ -6,6 +6,7 @@
 //! The library does no input or output beyond text it is handed, starts no thread, reads no clock.
 //! Lengths are metres, angles radians, time seconds, everywhere.
 
+pub mod describe;
 pub mod error;
 pub mod model;
 pub mod scalar;

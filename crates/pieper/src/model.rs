@@ -12,9 +12,11 @@
 mod canonical;
 mod chain;
 mod joint;
+mod shape;
 mod tree;
 
 pub use canonical::{Canonical, LinkShape, Step};
 pub use chain::{Chain, ChainParts};
 pub use joint::{Drive, Joint, JointKind, Limits, Motion, Variable};
-pub use tree::{MeshRef, Tree, TreeJoint, TreeLink};
+pub use shape::{Geometry, Shape};
+pub use tree::{Tree, TreeJoint, TreeLink};

@@ -4,29 +4,17 @@ use nalgebra::UnitVector3;
 
 use super::chain::{Chain, ChainParts};
 use super::joint::{Drive, Joint, Motion, Variable};
+use super::shape::Shape;
 use crate::error::{Error, Result};
 use crate::spatial::Pose;
-
-/// A reference to a link's shape, kept as written: the library reads no files.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshRef {
-    /// From the link's frame to the shape's.
-    pub origin: Pose,
-    /// What the description says: `package://...`, a path, or a URL.
-    pub uri: String,
-    /// Scale along x, y, z.
-    pub scale: [f64; 3],
-    /// Whether the shape is for collision rather than for looks.
-    pub collision: bool,
-}
 
 /// A link of a tree.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TreeLink {
     /// The link's name.
     pub name: String,
-    /// Its meshes.
-    pub meshes: Vec<MeshRef>,
+    /// What it looks like and what it collides with.
+    pub shapes: Vec<Shape>,
 }
 
 /// A joint of a tree.
@@ -49,8 +37,11 @@ pub struct TreeJoint {
 }
 
 /// A tree of links, with one root. Immutable and valid.
+///
+/// Every variable is the displacement of one joint, which has its name; further joints may follow it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tree {
+    name: String,
     links: Vec<TreeLink>,
     joints: Vec<TreeJoint>,
     variables: Vec<Variable>,
@@ -65,12 +56,17 @@ impl Tree {
     /// A tree of these parts, checked.
     ///
     /// # Errors
-    /// A model error: no link, a link carried by two joints, more than one root, a loop.
+    /// A model error: no link, a link carried by two joints, more than one root, a loop, an index out of
+    /// range, a variable that is not the displacement of the joint of its name.
     pub fn new(
         links: Vec<TreeLink>,
         joints: Vec<TreeJoint>,
         variables: Vec<Variable>,
     ) -> Result<Self> {
+        for joint in &joints {
+            check_joint(joint, links.len(), &variables)?;
+        }
+        check_variables(&joints, &variables)?;
         let mut carrier = vec![None; links.len()];
         for (index, joint) in joints.iter().enumerate() {
             if let Some(other) = carrier[joint.child].replace(index) {
@@ -108,6 +104,7 @@ impl Tree {
             return Err(Error::model("robot", "some of its joints form a loop"));
         }
         Ok(Self {
+            name: String::new(),
             links,
             joints,
             variables,
@@ -115,6 +112,18 @@ impl Tree {
             carrier,
             order,
         })
+    }
+
+    /// The same tree under this name.
+    #[must_use]
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+
+    /// The robot's name; empty if it has none.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// The links, in the description's order.
@@ -185,10 +194,16 @@ impl Tree {
                 .iter()
                 .any(|word| name.contains(word))
         };
+        // For each link: moving joints on the way from the root, and all joints.
+        let mut ways = vec![(0, 0); self.links.len()];
+        for &index in &self.order {
+            let joint = &self.joints[index];
+            let (moving, all) = ways[joint.parent];
+            ways[joint.child] = (moving + usize::from(self.is_independent(index)), all + 1);
+        }
         let rank = |link: usize| {
-            let path = self.path(self.root, link).unwrap_or_default();
-            let moving = path.iter().filter(|&&j| self.is_independent(j)).count();
-            (moving, tool_like(&self.links[link].name), path.len())
+            let (moving, all) = ways[link];
+            (moving, tool_like(&self.links[link].name), all)
         };
         // `max_by_key` takes the last of equals; reversed, that is the first in the description.
         (0..self.links.len())
@@ -233,9 +248,8 @@ impl Tree {
             .iter()
             .map(|&variable| self.variables[variable].clone())
             .collect();
-        let (base, tool) = (Pose::identity(), Pose::identity());
         if used.is_empty() {
-            let (from, to) = (&self.links[self.root].name, &self.links[tip].name);
+            let (from, to) = (&self.links[base].name, &self.links[tip].name);
             return Err(Error::model(
                 format!("chain from {from} to {to}"),
                 "no joint of it moves",
@@ -244,8 +258,8 @@ impl Tree {
         Chain::new(ChainParts {
             variables,
             joints,
-            base,
-            tool,
+            base: Pose::identity(),
+            tool: Pose::identity(),
         })
     }
 
@@ -298,4 +312,39 @@ fn parents_first(joints: &[TreeJoint], root: usize, links: usize) -> Vec<usize> 
         open.extend(children[link].iter().map(|&joint| joints[joint].child));
     }
     order
+}
+
+fn check_joint(joint: &TreeJoint, links: usize, variables: &[Variable]) -> Result<()> {
+    let error = |text: &str| Err(Error::model(format!("joint {}", joint.name), text));
+    if joint.parent >= links || joint.child >= links {
+        return error("its parent or child is none of the links");
+    }
+    match (joint.axis, joint.drive) {
+        (None, None) => Ok(()),
+        (Some(_), Some(drive)) if drive.variable >= variables.len() => {
+            error("its variable is none of the tree's")
+        }
+        (Some(_), Some(drive)) if drive.factor.is_finite() && drive.offset.is_finite() => Ok(()),
+        (Some(_), Some(_)) => error("its factor and offset must be finite"),
+        _ => error("an axis and a drive belong together"),
+    }
+}
+
+fn check_variables(joints: &[TreeJoint], variables: &[Variable]) -> Result<()> {
+    let mut owned = vec![false; variables.len()];
+    for joint in joints {
+        let Some(drive) = joint.drive else { continue };
+        let variable = &variables[drive.variable];
+        owned[drive.variable] |= variable.name == joint.name
+            && (drive.factor, drive.offset) == (1.0, 0.0)
+            && variable.kind.is_angular() == joint.turns;
+    }
+    match owned.iter().position(|owned| !owned) {
+        None => Ok(()),
+        Some(index) => {
+            let name = &variables[index].name;
+            let text = "it is not the displacement of a joint of its name";
+            Err(Error::model(format!("variable {name}"), text))
+        }
+    }
 }

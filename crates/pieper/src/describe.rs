@@ -1,0 +1,3 @@
+//! The file formats that describe an arm, to the model and back.
+
+pub mod urdf;

@@ -1,0 +1,4 @@
+//! The library's integration tests, in one binary.
+
+mod urdf;
+mod urdf_errors;

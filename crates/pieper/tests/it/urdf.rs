@@ -25,6 +25,17 @@ impl Random {
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
+    /// A value for each variable: within its limits, so that the arm keeps its size.
+    fn joint_vector(&mut self, variables: &[Variable]) -> Vec<f64> {
+        let mut value = |variable: &Variable| {
+            let (lower, upper) = variable
+                .limits
+                .map_or((-3.0, 3.0), |l| (l.lower(), l.upper()));
+            lower + (upper - lower) * 0.5 * (self.next() + 1.0)
+        };
+        variables.iter().map(&mut value).collect()
+    }
+
     fn vector(&mut self) -> Vector3<f64> {
         Vector3::from_fn(|_, _| self.next())
     }
@@ -141,7 +152,7 @@ fn link_poses_equal_the_chains_product() {
             continue;
         };
         for _ in 0..20 {
-            let all: Vec<f64> = tree.variables().iter().map(|_| random.next()).collect();
+            let all = random.joint_vector(tree.variables());
             let index = |v: &Variable| tree.variables().iter().position(|t| t.name == v.name);
             let q: Vec<f64> = chain
                 .variables()
@@ -170,11 +181,7 @@ fn a_written_tree_reads_back_the_same() {
     assert_eq!(urdf::write(&again), text, "writing is a fixed point");
     let mut random = Random(2);
     for _ in 0..100 {
-        let q: Vec<f64> = tree
-            .variables()
-            .iter()
-            .map(|_| 3.0 * random.next())
-            .collect();
+        let q = random.joint_vector(tree.variables());
         let (before, after) = (tree.link_poses(&q).unwrap(), again.link_poses(&q).unwrap());
         for (a, b) in before.iter().zip(&after) {
             assert!(difference(a, b) < 1e-15, "{:e}", difference(a, b));
@@ -209,7 +216,7 @@ fn check_chain(chain: &Chain, tolerance: f64) -> String {
         .collect();
     let mut random = Random(3);
     for _ in 0..50 {
-        let q: Vec<f64> = names(chain).iter().map(|_| 3.0 * random.next()).collect();
+        let q = random.joint_vector(chain.variables());
         let again_q: Vec<f64> = order.iter().map(|&i| q[i]).collect();
         let written = frames(&again, &again_q);
         for (name, pose) in frames(chain, &q) {

@@ -39,7 +39,7 @@ fn not_xml() {
     );
     check(
         "<robot name=r/>",
-        "f.urdf:1:13: XML: expected quote mark not 'r'",
+        "f.urdf:1:13: XML: expected a quote not 'r'",
     );
     check(
         "<robot>\n<x:y/></robot>",
@@ -107,7 +107,7 @@ fn names() {
     );
     check(
         &with_joint("<joint name=\"j\" type=\"fixed\"><parent/><child link=\"b\"/></joint>"),
-        "f.urdf:4:31: <parent>: an attribute link=\"...\" was expected",
+        "f.urdf:4:30: <parent>: an attribute link=\"...\" was expected",
     );
 }
 
@@ -253,7 +253,7 @@ fn mimic() {
             joint("l", "b", "revolute", "m"),
             joint("m", "c", "fixed", "m"),
         ]),
-        "f.urdf:2:94: joint=\"m\": the joint of this name is fixed: there is no motion to follow",
+        "f.urdf:2:98: joint=\"m\": the joint of this name is fixed: there is no motion to follow",
     );
 }
 

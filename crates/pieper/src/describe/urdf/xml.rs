@@ -187,10 +187,10 @@ fn syntax(source: &Rc<Source>, error: roxmltree::Error) -> Error {
                 line: position.row as usize,
                 column: position.col as usize,
             };
-            // The parser ends its sentence with the position that our place already names.
+            // The parser's sentence has the position that our place already names.
             let text = error.to_string();
-            let sentence = text.strip_suffix(&format!(" at {position}"));
-            Error::parse(place, "XML", shorten(sentence.unwrap_or(&text).to_owned()))
+            let sentence = text.replace(&format!(" at {position}"), "");
+            Error::parse(place, "XML", shorten(sentence))
         }
     }
 }

@@ -10,7 +10,7 @@ agree on every link frame to 1e-12. Prints one line per file with the worst devi
 to the largest coordinate) and the plain closing line 'N passed, N failed, N skipped'. A file that Pinocchio or the
 xacro program does not read is skipped, with the reason.
 """
-import argparse, glob, json, math, os, subprocess, sys
+import argparse, contextlib, glob, io, json, math, os, subprocess, sys, tempfile
 from xml.etree import ElementTree
 
 import numpy as np
@@ -20,13 +20,34 @@ CONFIGURATIONS = 8
 TOLERANCE = 1e-12
 
 
-def packages(folder):
-    """Folders under `folder` that a package name may mean, by name."""
+def workspace(root, folder):
+    """Lays the packages under `root` side by side in `folder`, by links, as in a ROS workspace: name -> folder.
+
+    Some folders of rtb-data are not called like the packages they hold.
+    """
     found = {}
-    for path, folders, files in os.walk(folder):
-        for name in folders:
-            found.setdefault(name, os.path.join(path, name))
-    return found
+    for path, folders, _ in os.walk(root):
+        if "urdf" in folders or "robots" in folders or "meshes" in folders or os.path.exists(os.path.join(path, "package.xml")):
+            found.setdefault(os.path.basename(path), path)
+    for name, path in list(found.items()):
+        found.setdefault(f"{name}_support", path)
+        found.setdefault(name.removesuffix("_description"), path)
+        if name == "data" and "xarm" in path:
+            found.setdefault("armer_xarm", os.path.dirname(path))
+    for name, path in found.items():
+        os.symlink(path, os.path.join(folder, name))
+    return {name: os.path.join(folder, name) for name in found}
+
+
+def within(path, found):
+    """The same file as seen in the workspace."""
+    real = {os.path.realpath(folder): folder for folder in sorted(found.values(), key=len)}
+    folder = os.path.realpath(os.path.dirname(path))
+    while folder not in real:
+        if folder == os.path.dirname(folder):
+            return path
+        folder = os.path.dirname(folder)
+    return os.path.join(real[folder], os.path.relpath(os.path.realpath(path), folder))
 
 
 def expand(path, found):
@@ -34,11 +55,13 @@ def expand(path, found):
     import xacro, xacro.substitution_args
 
     def find(name):
+        if name not in found:
+            raise RuntimeError(f"no package {name}")
         return found[name]
 
     xacro.substitution_args._eval_find = find
-    xacro.verbosity = 0
-    return xacro.process_file(path).toxml()
+    with contextlib.redirect_stderr(io.StringIO()):
+        return xacro.process_file(path).toxml()
 
 
 def joints(model):
@@ -132,6 +155,7 @@ def main():
     a = p.parse_args()
     count = {"passed": 0, "failed": 0, "skipped": 0}
     known = {}
+    scratch = tempfile.TemporaryDirectory()
     for root, path in sources():
         label = os.path.relpath(path, root)
         if a.only not in label:
@@ -139,7 +163,9 @@ def main():
         try:
             text = open(path).read()
             if path.endswith(".xacro") or "xacro:" in text:
-                known.setdefault(root, packages(root))
+                if root not in known:
+                    known[root] = workspace(root, tempfile.mkdtemp(dir=scratch.name))
+                path = within(path, known[root])
                 text = expand(path, known[root])
             pin.buildModelFromXML(text)
         except Exception as error:  # whatever stops the peers: the file is then no reference

@@ -12,4 +12,5 @@ pub(in crate::describe) mod xml;
 pub use chain::write_chain;
 pub use read::read;
 pub(in crate::describe) use read::robot;
+pub(in crate::describe) use write::escape;
 pub use write::write;

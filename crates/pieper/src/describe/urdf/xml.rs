@@ -7,7 +7,7 @@ use roxmltree::{Document, ParsingOptions};
 use crate::error::{Error, Place, Result};
 
 /// Elements nested deeper than this are refused: our own functions recurse, and no description comes near.
-const MAX_DEPTH: usize = 200;
+pub(in crate::describe) const MAX_DEPTH: usize = 200;
 
 /// More elements, texts and attributes than this in one file are refused; the largest public descriptions have some 10,000.
 const MAX_NODES: u32 = 1_000_000;
@@ -99,7 +99,8 @@ pub(in crate::describe) struct Element {
 /// What an element contains. Comments and processing instructions are dropped.
 #[derive(Clone, Debug)]
 pub(in crate::describe) enum Node {
-    Element(Element),
+    /// Shared, so that a macro's body is copied for nothing.
+    Element(Rc<Element>),
     Text(String, Spot),
 }
 
@@ -118,7 +119,7 @@ impl Element {
     /// The child elements.
     pub(in crate::describe) fn elements(&self) -> impl Iterator<Item = &Self> {
         self.children.iter().filter_map(|node| match node {
-            Node::Element(element) => Some(element),
+            Node::Element(element) => Some(&**element),
             Node::Text(..) => None,
         })
     }
@@ -220,7 +221,7 @@ fn element(node: &roxmltree::Node<'_, '_>, source: &Rc<Source>, depth: usize) ->
     for child in node.children() {
         if child.is_element() {
             let child = element(&child, source, depth + 1)?;
-            built.children.push(Node::Element(child));
+            built.children.push(Node::Element(Rc::new(child)));
         } else if let Some(text) = child.text().filter(|_| child.is_text()) {
             let at = spot(child.range().start);
             built.children.push(Node::Text(text.to_owned(), at));

@@ -1,0 +1,414 @@
+//! Texts and expressions into values.
+
+use super::expander::{Expander, Site};
+use super::function;
+use super::operator;
+use super::scope::{Entry, GLOBAL};
+use super::syntax::{self, Access, Expr};
+use super::text::{self, Piece};
+use super::value::{Outcome, Value};
+use super::yaml;
+use crate::describe::urdf::xml::{Attribute, Spot};
+use crate::error::{Error, Place, Result};
+
+impl Expander<'_> {
+    /// The value of an attribute.
+    pub(super) fn attribute(&mut self, attribute: &Attribute, scope: usize) -> Result<Value> {
+        self.text(&attribute.value, &attribute.spot, scope)
+    }
+
+    /// The value of a text: of a single expression its value, else text.
+    pub(super) fn text(&mut self, text: &str, spot: &Spot, scope: usize) -> Result<Value> {
+        self.charge(text.len(), spot)?;
+        let pieces = text::pieces(text).map_err(|at| {
+            let close = if text[at..].starts_with("${") {
+                '}'
+            } else {
+                ')'
+            };
+            spot.plus(at)
+                .error(text, format!("the closing {close} is missing"))
+        })?;
+        let mut values = Vec::with_capacity(pieces.len());
+        for piece in pieces {
+            values.push(match piece {
+                Piece::Plain(plain) => Value::str(plain).map_err(|m| spot.error(text, m))?,
+                Piece::Expression(inner, at) => self.expression(inner, &spot.plus(at), scope)?,
+                Piece::Command(inner, at) => self.command(inner, &spot.plus(at), scope)?,
+            });
+        }
+        if values.len() == 1 {
+            return Ok(values.swap_remove(0));
+        }
+        let joined: String = values.iter().map(Value::text).collect();
+        self.charge(joined.len(), spot)?;
+        Value::str(joined).map_err(|message| spot.error(text, message))
+    }
+
+    /// `${text}`.
+    fn expression(&mut self, text: &str, spot: &Spot, scope: usize) -> Result<Value> {
+        self.enter(spot)?;
+        let inner = if text.contains('$') {
+            self.text(text, spot, scope)?.text()
+        } else {
+            text.to_owned()
+        };
+        let subject = format!("${{{text}}}");
+        let site = Site {
+            spot: spot.clone(),
+            text: &subject,
+            scope,
+        };
+        let value = self.source(&inner, &site)?;
+        self.leave();
+        Ok(value)
+    }
+
+    /// The value of an expression's text.
+    fn source(&mut self, text: &str, site: &Site<'_>) -> Result<Value> {
+        self.charge(10 * text.len(), &site.spot)?;
+        let expr = syntax::parse(text).map_err(|message| site.error(message))?;
+        self.eval(&expr, site)
+    }
+
+    /// `$(text)`.
+    fn command(&mut self, text: &str, spot: &Spot, scope: usize) -> Result<Value> {
+        self.enter(spot)?;
+        let subject = format!("$({text})");
+        let inner = self.text(text, spot, scope)?.text();
+        let site = Site {
+            spot: spot.clone(),
+            text: &subject,
+            scope,
+        };
+        let words: Vec<&str> = inner.split_whitespace().collect();
+        let value = match words[..] {
+            ["arg", name] => self.argument(name, &site)?,
+            ["find", name] => self.resources.package(name).ok_or_else(|| {
+                Error::resource(&subject, "there is no package of this name").at(spot.place())
+            })?,
+            ["env", name] => self.resources.environment(name).ok_or_else(|| {
+                let text = "there is no environment variable of this name";
+                Error::resource(&subject, text).at(spot.place())
+            })?,
+            ["optenv", name, ref default @ ..] => {
+                let value = self.resources.environment(name);
+                value.unwrap_or_else(|| default.join(" "))
+            }
+            ["dirname"] => self.folder().unwrap_or(".").to_owned(),
+            ["eval", ..] => {
+                let source = inner.trim_start().trim_start_matches("eval");
+                let value = self.source(source, &site)?;
+                self.leave();
+                return Ok(value);
+            }
+            _ => {
+                let text = "$(arg name), $(find package), $(env name), $(optenv name default), \
+                            $(dirname) or $(eval expression) was expected";
+                return Err(site.error(text));
+            }
+        };
+        self.leave();
+        Value::str(value).map_err(|message| site.error(message))
+    }
+
+    /// The value of `$(arg name)`.
+    fn argument(&mut self, name: &str, site: &Site<'_>) -> Result<String> {
+        self.known.insert(name.to_owned());
+        self.arguments.get(name).cloned().ok_or_else(|| {
+            site.error(format!(
+                "the argument {name} has no value here: it was not given, and no <xacro:arg> before gives a default"
+            ))
+        })
+    }
+
+    /// The value of a property, if there is one of this name.
+    pub(super) fn property(&mut self, name: &str, site: &Site<'_>) -> Result<Option<Value>> {
+        let Some((home, entry)) = self.scopes.find(site.scope, name) else {
+            return Ok(None);
+        };
+        match entry.clone() {
+            Entry::Value(value) => Ok(Some(value)),
+            Entry::Namespace(_) => Err(site.error(format!("{name} is a namespace, not a value"))),
+            Entry::Busy => Err(site.error(format!("the property {name} is defined by itself"))),
+            Entry::Lazy(text, spot) => {
+                self.enter(&spot)?;
+                self.scopes.set(home, name, Entry::Busy);
+                let value = self.text(&text, &spot, home)?;
+                let value = literal(value, &spot)?;
+                self.scopes.set(home, name, Entry::Value(value.clone()));
+                self.leave();
+                Ok(Some(value))
+            }
+        }
+    }
+
+    fn name(&mut self, name: &str, site: &Site<'_>) -> Result<Value> {
+        if let Some(value) = self.property(name, site)? {
+            return Ok(value);
+        }
+        function::constant(name)
+            .ok_or_else(|| site.error(format!("there is no property or constant {name} here")))
+    }
+
+    fn eval(&mut self, expr: &Expr, site: &Site<'_>) -> Result<Value> {
+        self.enter(&site.spot)?;
+        self.charge(10, &site.spot)?;
+        let value = self.eval_inner(expr, site)?;
+        self.leave();
+        Ok(value)
+    }
+
+    fn eval_inner(&mut self, expr: &Expr, site: &Site<'_>) -> Result<Value> {
+        let told = |outcome: Outcome<Value>| outcome.map_err(|message| site.error(message));
+        match expr {
+            Expr::Int(value) => Ok(Value::Int(*value)),
+            Expr::Float(value) => Ok(Value::Float(*value)),
+            Expr::Str(text) => told(Value::str(text.as_str())),
+            Expr::Name(name) => self.name(name, site),
+            Expr::List(items) => {
+                let items = self.eval_all(items, site)?;
+                told(Value::list(items))
+            }
+            Expr::Dict(entries) => {
+                let mut values = Vec::with_capacity(entries.len());
+                for (key, value) in entries {
+                    values.push((self.eval(key, site)?, self.eval(value, site)?));
+                }
+                told(Value::dict(values))
+            }
+            Expr::Chain(first, rest) => {
+                let mut value = self.eval(first, site)?;
+                for (operator, operand) in rest {
+                    let operand = self.eval(operand, site)?;
+                    self.charge_values(&[&value, &operand], &site.spot)?;
+                    value = told(operator::binary(*operator, &value, &operand))?;
+                }
+                Ok(value)
+            }
+            Expr::Compare(first, rest) => self.comparison(first, rest, site),
+            Expr::And(items) => self.first_with_truth(items, false, site),
+            Expr::Or(items) => self.first_with_truth(items, true, site),
+            Expr::Not(operand) => Ok(Value::Bool(!self.eval(operand, site)?.truth())),
+            Expr::Negative(operand) => {
+                let value = self.eval(operand, site)?;
+                told(operator::negative(&value))
+            }
+            Expr::Positive(operand) => {
+                let value = self.eval(operand, site)?;
+                told(value.number().map(|_| value))
+            }
+            Expr::If {
+                then,
+                condition,
+                otherwise,
+            } => {
+                let chosen = if self.eval(condition, site)?.truth() {
+                    then
+                } else {
+                    otherwise
+                };
+                self.eval(chosen, site)
+            }
+            Expr::Access(operand, rest) => self.access(operand, rest, site),
+        }
+    }
+
+    fn eval_all(&mut self, items: &[Expr], site: &Site<'_>) -> Result<Vec<Value>> {
+        items.iter().map(|item| self.eval(item, site)).collect()
+    }
+
+    fn comparison(
+        &mut self,
+        first: &Expr,
+        rest: &[(syntax::Compare, Expr)],
+        site: &Site<'_>,
+    ) -> Result<Value> {
+        let mut left = self.eval(first, site)?;
+        for (operator, right) in rest {
+            let right = self.eval(right, site)?;
+            self.charge_values(&[&left, &right], &site.spot)?;
+            let holds = operator::compare(*operator, &left, &right).map_err(|m| site.error(m))?;
+            if !holds {
+                return Ok(Value::Bool(false));
+            }
+            left = right;
+        }
+        Ok(Value::Bool(true))
+    }
+
+    /// The first item that counts as `truth`, or else the last.
+    fn first_with_truth(&mut self, items: &[Expr], truth: bool, site: &Site<'_>) -> Result<Value> {
+        let mut value = Value::Bool(!truth);
+        for item in items {
+            value = self.eval(item, site)?;
+            if value.truth() == truth {
+                break;
+            }
+        }
+        Ok(value)
+    }
+
+    /// `operand.name(argument)[index]` and so on.
+    fn access(&mut self, operand: &Expr, rest: &[Access], site: &Site<'_>) -> Result<Value> {
+        let (mut value, mut rest) = self.operand(operand, rest, site)?;
+        while let Some((access, after)) = rest.split_first() {
+            rest = after;
+            let outcome = match (access, after.split_first()) {
+                (Access::Attribute(name), Some((Access::Call(plain, named), after))) => {
+                    rest = after;
+                    if let Some((name, _)) = named.first() {
+                        return Err(site.error(format!("the argument {name}= is not known")));
+                    }
+                    let args = self.eval_all(plain, site)?;
+                    let weights: Vec<&Value> = std::iter::once(&value).chain(&args).collect();
+                    self.charge_values(&weights, &site.spot)?;
+                    function::method(&value, name, &args)
+                }
+                (Access::Attribute(name), _) => match &value {
+                    Value::Dict(_) => {
+                        let key = Value::str(name.as_str()).map_err(|m| site.error(m))?;
+                        operator::index(&value, &key)
+                    }
+                    _ => Err(format!("{} has no part {name}", value.described())),
+                },
+                (Access::Index(index), _) => {
+                    let index = self.eval(index, site)?;
+                    self.charge_values(&[&value], &site.spot)?;
+                    operator::index(&value, &index)
+                }
+                (Access::Slice(start, end), _) => {
+                    let mut bound = |bound: &Option<Expr>| {
+                        bound
+                            .as_ref()
+                            .map(|bound| self.eval(bound, site))
+                            .transpose()
+                    };
+                    let (start, end) = (bound(start)?, bound(end)?);
+                    self.charge_values(&[&value], &site.spot)?;
+                    operator::slice(&value, start.as_ref(), end.as_ref())
+                }
+                (Access::Call(..), _) => Err(format!("{} is no function", value.described())),
+            };
+            value = outcome.map_err(|message| site.error(message))?;
+        }
+        Ok(value)
+    }
+
+    /// The value that an access begins with, which for a function or namespace takes more than the operand, and what is
+    /// left to do.
+    fn operand<'e>(
+        &mut self,
+        operand: &Expr,
+        rest: &'e [Access],
+        site: &Site<'_>,
+    ) -> Result<(Value, &'e [Access])> {
+        let Expr::Name(name) = operand else {
+            return Ok((self.eval(operand, site)?, rest));
+        };
+        match (self.scopes.find(site.scope, name), rest) {
+            (Some((_, &Entry::Namespace(inner))), [Access::Attribute(name), rest @ ..]) => {
+                let inner = Site {
+                    spot: site.spot.clone(),
+                    text: site.text,
+                    scope: inner,
+                };
+                Ok((self.name(name, &inner)?, rest))
+            }
+            (Some(_), _) => Ok((self.name(name, site)?, rest)),
+            (None, [Access::Attribute(inner), after @ ..]) if is_module(name) => match after {
+                [Access::Call(plain, named), after @ ..] => {
+                    Ok((self.call(inner, plain, named, site)?, after))
+                }
+                _ => match function::constant(inner) {
+                    Some(value) => Ok((value, after)),
+                    None => Err(site.error(format!("there is no constant {name}.{inner}"))),
+                },
+            },
+            (None, [Access::Call(plain, named), after @ ..]) => {
+                Ok((self.call(name, plain, named, site)?, after))
+            }
+            (None, _) => Ok((self.name(name, site)?, rest)),
+        }
+    }
+
+    fn call(
+        &mut self,
+        name: &str,
+        plain: &[Expr],
+        named: &[(String, Expr)],
+        site: &Site<'_>,
+    ) -> Result<Value> {
+        let args = self.eval_all(plain, site)?;
+        let weights: Vec<&Value> = args.iter().collect();
+        self.charge_values(&weights, &site.spot)?;
+        if let (Some((word, _)), false) = (named.first(), name == "dict") {
+            return Err(site.error(format!("the argument {word}= of {name}() is not known")));
+        }
+        let outcome = match (name, args.as_slice()) {
+            ("dict", _) if !named.is_empty() => {
+                let mut entries = match args.first() {
+                    Some(Value::Dict(dict)) => dict.entries.clone(),
+                    _ => Vec::new(),
+                };
+                for (key, value) in named {
+                    let key = Value::str(key.as_str()).map_err(|m| site.error(m))?;
+                    entries.push((key, self.eval(value, site)?));
+                }
+                Value::dict(entries)
+            }
+            ("load_yaml", [Value::Str(path)]) => return self.load_yaml(path, site),
+            ("arg", [Value::Str(name)]) => Value::str(self.argument(name, site)?),
+            ("abs_filename", [Value::Str(path)]) => Value::str(self.path(path)),
+            ("dotify", [value]) => Ok(value.clone()),
+            ("tokenize", [Value::Str(text)]) => text
+                .split([',', ';', ' '])
+                .filter(|word| !word.is_empty())
+                .map(Value::str)
+                .collect::<Outcome<_>>()
+                .and_then(Value::list),
+            ("message" | "warning" | "error" | "print_location", _) => Value::str(""),
+            ("fatal", _) => {
+                let words: Vec<String> = args.iter().map(Value::text).collect();
+                Err(format!("the description gives up: {}", words.join(" ")))
+            }
+            _ => function::call(name, &args)
+                .unwrap_or_else(|| Err(format!("there is no function {name}()"))),
+        };
+        outcome.map_err(|message| site.error(message))
+    }
+
+    fn load_yaml(&mut self, path: &str, site: &Site<'_>) -> Result<Value> {
+        let path = self.path(path);
+        let text = self.read(&path, &site.spot)?;
+        let outside = Site {
+            spot: site.spot.clone(),
+            text: site.text,
+            scope: GLOBAL,
+        };
+        let mut evaluate = |text: &str| {
+            self.source(text, &outside)
+                .map_err(|error| error.to_string())
+        };
+        yaml::load(&text, &mut evaluate).map_err(|(line, column, message)| {
+            let place = Place {
+                file: path.clone(),
+                line,
+                column,
+            };
+            Error::parse(place, "YAML", message)
+        })
+    }
+}
+
+fn is_module(name: &str) -> bool {
+    ["math", "xacro", "python"].contains(&name)
+}
+
+/// A text that looks like a number or truth value, as that.
+pub(super) fn literal(value: Value, spot: &Spot) -> Result<Value> {
+    match value {
+        Value::Str(text) => Value::literal(&text).map_err(|message| spot.error(&*text, message)),
+        value => Ok(value),
+    }
+}

@@ -1,0 +1,465 @@
+//! Elements into elements.
+
+use std::rc::Rc;
+
+use super::evaluate::literal;
+use super::expander::{ELEMENT_WORK, Expander, Site};
+use super::parameter;
+use super::scope::{Block, Entry, GLOBAL, Macro};
+use super::token::is_name;
+use super::value::Value;
+use crate::describe::urdf::xml::{self, Attribute, Element, MAX_DEPTH, Node};
+use crate::error::Result;
+
+impl Expander<'_> {
+    /// The root, expanded.
+    pub(super) fn root(&mut self, root: &Element) -> Result<Element> {
+        let mut out = self.start(root, GLOBAL)?;
+        self.children(&root.children, GLOBAL, &mut out)?;
+        for declaration in std::mem::take(&mut self.namespaces) {
+            if out.attribute(&declaration.name).is_none() {
+                out.attributes.push(declaration);
+            }
+        }
+        Ok(out)
+    }
+
+    /// Appends what the nodes expand to.
+    pub(super) fn children(
+        &mut self,
+        nodes: &[Node],
+        scope: usize,
+        out: &mut Element,
+    ) -> Result<()> {
+        self.enter(&out.spot)?;
+        for node in nodes {
+            match node {
+                Node::Element(element) => self.element(element, scope, out)?,
+                Node::Text(text, spot) => {
+                    let text = self.text(text, spot, scope)?.text();
+                    if !text.trim().is_empty() {
+                        out.children.push(Node::Text(text, spot.clone()));
+                    }
+                }
+            }
+        }
+        self.leave();
+        Ok(())
+    }
+
+    fn element(&mut self, element: &Rc<Element>, scope: usize, out: &mut Element) -> Result<()> {
+        self.charge(ELEMENT_WORK, &element.spot)?;
+        let Some(word) = element.name.strip_prefix("xacro:") else {
+            let copy = self.start(element, scope)?;
+            return self.plain(copy, element, scope, out);
+        };
+        match word {
+            "property" => self.set_property(element, scope),
+            "arg" => self.set_argument(element, scope),
+            "macro" => self.set_macro(element, scope),
+            "include" => self.include(element, scope, out),
+            "if" | "unless" => {
+                if self.condition(element, scope)? == (word == "if") {
+                    self.children(&element.children, scope, out)?;
+                }
+                Ok(())
+            }
+            "insert_block" => self.insert_block(element, scope, out),
+            "element" => {
+                let name = self.written_name(element.required("xacro:name")?, scope)?;
+                let mut copy = self.start(element, scope)?;
+                copy.name = name;
+                self.plain(copy, element, scope, out)
+            }
+            "attribute" => {
+                let name = self.written_name(element.required("name")?, scope)?;
+                let value = element.required("value")?;
+                let attribute = Attribute {
+                    name,
+                    value: self.attribute(value, scope)?.text(),
+                    spot: value.spot.clone(),
+                };
+                out.attributes.retain(|other| other.name != attribute.name);
+                out.attributes.push(attribute);
+                Ok(())
+            }
+            "call" => {
+                let name = self.attribute(element.required("macro")?, scope)?.text();
+                self.call_macro(&name, element, scope, out)
+            }
+            name => self.call_macro(name, element, scope, out),
+        }
+    }
+
+    /// An element without its children, attributes evaluated.
+    fn start(&mut self, element: &Element, scope: usize) -> Result<Element> {
+        let mut attributes = Vec::with_capacity(element.attributes.len());
+        for attribute in &element.attributes {
+            if attribute.name.starts_with("xacro:") || attribute.name == "xmlns:xacro" {
+                continue;
+            }
+            let value = self.attribute(attribute, scope)?.text();
+            self.charge(ELEMENT_WORK / 4 + value.len(), &attribute.spot)?;
+            attributes.push(Attribute {
+                name: attribute.name.clone(),
+                value,
+                spot: attribute.spot.clone(),
+            });
+        }
+        Ok(Element {
+            name: element.name.clone(),
+            attributes,
+            children: Vec::new(),
+            spot: element.spot.clone(),
+        })
+    }
+
+    fn plain(
+        &mut self,
+        mut copy: Element,
+        element: &Element,
+        scope: usize,
+        out: &mut Element,
+    ) -> Result<()> {
+        self.nesting += 1;
+        if self.nesting > MAX_DEPTH {
+            let text = format!("elements become nested more than {MAX_DEPTH} deep");
+            return Err(element.error(text));
+        }
+        self.children(&element.children, scope, &mut copy)?;
+        self.nesting -= 1;
+        out.children.push(Node::Element(Rc::new(copy)));
+        Ok(())
+    }
+
+    /// The name of an element or attribute that is made.
+    fn written_name(&mut self, attribute: &Attribute, scope: usize) -> Result<String> {
+        let name = self.attribute(attribute, scope)?.text();
+        let part = |c: char| c.is_alphanumeric() || "_-.:".contains(c);
+        let starts = name.starts_with(|c: char| c.is_alphabetic() || c == '_');
+        if starts && !name.starts_with("xmlns") && name.chars().all(part) {
+            Ok(name)
+        } else {
+            Err(attribute.error(format!("a name was expected, not '{name}'")))
+        }
+    }
+
+    fn condition(&mut self, element: &Element, scope: usize) -> Result<bool> {
+        let attribute = element.required("value")?;
+        let value = self.attribute(attribute, scope)?;
+        truth(&value).ok_or_else(|| {
+            attribute.error(format!(
+                "true or false was expected, not {}",
+                value.described()
+            ))
+        })
+    }
+
+    fn set_argument(&mut self, element: &Element, scope: usize) -> Result<()> {
+        let name = element.required("name")?.value.clone();
+        if let (Some(default), false) = (
+            element.attribute("default"),
+            self.arguments.contains_key(&name),
+        ) {
+            let value = self.attribute(default, scope)?.text();
+            self.arguments.insert(name.clone(), value);
+        }
+        self.known.insert(name);
+        Ok(())
+    }
+
+    fn set_macro(&mut self, element: &Rc<Element>, scope: usize) -> Result<()> {
+        let attribute = element.required("name")?;
+        let name = attribute
+            .value
+            .strip_prefix("xacro:")
+            .unwrap_or(&attribute.value);
+        if name == "call" || name.contains('.') {
+            return Err(
+                attribute.error("a macro cannot be called 'call', nor have a dot in its name")
+            );
+        }
+        let parameters = match element.attribute("params") {
+            None => Vec::new(),
+            Some(params) => parameter::parse(&params.value)
+                .map_err(|rest| params.error(format!("a parameter was expected at '{rest}'")))?,
+        };
+        let defined = Macro {
+            name: name.to_owned(),
+            parameters,
+            body: Rc::clone(element),
+        };
+        self.scopes.set_macro(scope, defined);
+        Ok(())
+    }
+
+    fn set_property(&mut self, element: &Rc<Element>, scope: usize) -> Result<()> {
+        let attribute = element.required("name")?;
+        let name = self.attribute(attribute, scope)?.text();
+        if !is_name(&name) || name.starts_with("__") {
+            return Err(attribute.error(format!("a name was expected, not '{name}'")));
+        }
+        let (value, default) = (element.attribute("value"), element.attribute("default"));
+        let remove = self.flag(element, "remove", false, scope)?;
+        if usize::from(remove) + usize::from(value.is_some()) + usize::from(default.is_some()) > 1 {
+            return Err(element.error("only one of value, default and remove was expected"));
+        }
+        if remove {
+            self.scopes.remove(scope, &name);
+            return Ok(());
+        }
+        if default.is_some() && self.scopes.find(scope, &name).is_some() {
+            return Ok(());
+        }
+        let (target, is_local) = match element.attribute("scope").map(|a| (a, a.value.as_str())) {
+            None => (scope, true),
+            Some((_, "global")) => (GLOBAL, false),
+            Some((_, "parent")) => (self.scopes.caller(scope), false),
+            Some((attribute, _)) => {
+                return Err(attribute.error("scope=\"parent\" or scope=\"global\" was expected"));
+            }
+        };
+        let Some(value) = value.or(default) else {
+            let block = Block {
+                element: Rc::clone(element),
+                contents: true,
+            };
+            self.scopes.set_block(target, &name, block);
+            return Ok(());
+        };
+        let lazy = is_local && self.flag(element, "lazy_eval", true, scope)?;
+        let entry = if lazy && value.value.contains('$') {
+            Entry::Lazy(value.value.as_str().into(), value.spot.clone())
+        } else {
+            let value_here = self.attribute(value, scope)?;
+            Entry::Value(literal(value_here, &value.spot)?)
+        };
+        self.scopes.set(target, &name, entry);
+        Ok(())
+    }
+
+    /// An attribute that is true or false.
+    fn flag(&mut self, element: &Element, name: &str, default: bool, scope: usize) -> Result<bool> {
+        let Some(attribute) = element.attribute(name) else {
+            return Ok(default);
+        };
+        let value = self.attribute(attribute, scope)?;
+        truth(&value).ok_or_else(|| attribute.error("true or false was expected"))
+    }
+
+    fn include(&mut self, element: &Element, scope: usize, out: &mut Element) -> Result<()> {
+        let attribute = element.required("filename")?;
+        let name = self.attribute(attribute, scope)?.text();
+        if name.contains(['*', '?', '[']) {
+            return Err(attribute.error("patterns of file names are not read: name each file"));
+        }
+        let path = self.path(&name);
+        if self.files.contains(&path) {
+            let chain = format!("{} -> {path}", self.files.join(" -> "));
+            return Err(attribute.error(format!("files include each other in a circle: {chain}")));
+        }
+        let inner = match element.attribute("ns") {
+            None => scope,
+            Some(ns) => {
+                let name = self.attribute(ns, scope)?.text();
+                let inner = self.scopes.open(scope, true);
+                self.scopes.set(scope, &name, Entry::Namespace(inner));
+                inner
+            }
+        };
+        let optional = self.flag(element, "optional", false, scope)?;
+        let text = match self.read(&path, &attribute.spot) {
+            Ok(text) => text,
+            Err(error) if optional && error.is_resource() => return Ok(()),
+            Err(error) => return Err(error),
+        };
+        let root = xml::parse(&path, &text)?;
+        let declared = root.attributes.iter();
+        let declared = declared.filter(|a| a.name.starts_with("xmlns:") && a.name != "xmlns:xacro");
+        self.namespaces.extend(declared.cloned());
+        self.files.push(path);
+        self.children(&root.children, inner, out)?;
+        self.files.pop();
+        Ok(())
+    }
+
+    fn insert_block(&mut self, element: &Element, scope: usize, out: &mut Element) -> Result<()> {
+        let attribute = element.required("name")?;
+        let name = self.attribute(attribute, scope)?.text();
+        let block = self.scopes.block(scope, &name).cloned();
+        let block = block.ok_or_else(|| attribute.error("there is no block of this name here"))?;
+        self.enter(&element.spot)?;
+        if block.contents {
+            self.children(&block.element.children, scope, out)?;
+        } else {
+            self.element(&block.element, scope, out)?;
+        }
+        self.leave();
+        Ok(())
+    }
+
+    fn call_macro(
+        &mut self,
+        name: &str,
+        element: &Element,
+        scope: usize,
+        out: &mut Element,
+    ) -> Result<()> {
+        let Some((home, called)) = self.scopes.macro_named(scope, name) else {
+            let names = self.scopes.macro_names(scope);
+            let there = match names.len() {
+                0 => "none is defined here".to_owned(),
+                _ => format!("those defined here are {}", names.join(", ")),
+            };
+            return Err(element.error(format!("there is no macro {name}; {there}")));
+        };
+        let blocks = self.blocks(element, scope)?;
+        let mut values = self.given(&called, element, scope)?;
+        self.defaults(&called, element, scope, &mut values)?;
+        let count = self.scopes.count();
+        let inner = self.scopes.open(home, false);
+        for (name, value) in values {
+            self.scopes.set(inner, &name, Entry::Value(value));
+        }
+        self.hand_blocks(&called, element, inner, blocks)?;
+        self.calls.push(name.to_owned());
+        self.children(&called.body.children, inner, out)?;
+        self.calls.pop();
+        self.scopes.close(count);
+        Ok(())
+    }
+
+    /// The elements within a macro call, expanded where they stand.
+    fn blocks(&mut self, element: &Element, scope: usize) -> Result<Vec<Rc<Element>>> {
+        let mut holder = Element {
+            name: String::new(),
+            attributes: Vec::new(),
+            children: Vec::new(),
+            spot: element.spot.clone(),
+        };
+        self.children(&element.children, scope, &mut holder)?;
+        let blocks = holder.children.into_iter().filter_map(|node| match node {
+            Node::Element(element) => Some(element),
+            Node::Text(..) => None,
+        });
+        Ok(blocks.collect())
+    }
+
+    /// The values that a call gives.
+    fn given(
+        &mut self,
+        called: &Macro,
+        element: &Element,
+        scope: usize,
+    ) -> Result<Vec<(String, Value)>> {
+        let mut values = Vec::new();
+        for attribute in &element.attributes {
+            let is_call = element.name == "xacro:call" && attribute.name == "macro";
+            if is_call || attribute.name.starts_with("xmlns") {
+                continue;
+            }
+            let takes = |p: &parameter::Parameter| {
+                matches!(p.kind, parameter::Kind::Value { .. }) && p.name == attribute.name
+            };
+            if !called.parameters.iter().any(takes) {
+                let names: Vec<&str> = called.parameters.iter().map(|p| p.name.as_str()).collect();
+                let has = match names.len() {
+                    0 => "it has none".to_owned(),
+                    _ => format!("its parameters are {}", names.join(", ")),
+                };
+                let text = format!("the macro {} has no such parameter; {has}", called.name);
+                return Err(attribute.error(text));
+            }
+            let value = self.attribute(attribute, scope)?;
+            values.push((attribute.name.clone(), literal(value, &attribute.spot)?));
+        }
+        Ok(values)
+    }
+
+    /// Adds the values that a call leaves to their defaults.
+    fn defaults(
+        &mut self,
+        called: &Macro,
+        element: &Element,
+        scope: usize,
+        values: &mut Vec<(String, Value)>,
+    ) -> Result<()> {
+        let written = called.body.attribute("params");
+        let spot = written.map_or(&called.body.spot, |params| &params.spot);
+        for parameter in &called.parameters {
+            let parameter::Kind::Value { forward, default } = &parameter.kind else {
+                continue;
+            };
+            let name = &parameter.name;
+            if values.iter().any(|(given, _)| given == name) {
+                continue;
+            }
+            let site = Site {
+                spot: element.spot.clone(),
+                text: &element.name,
+                scope,
+            };
+            let forwarded = if *forward {
+                self.property(name, &site)?
+            } else {
+                None
+            };
+            let value = match (forwarded, default) {
+                (Some(value), _) => value,
+                (None, Some(text)) => literal(self.text(text, spot, scope)?, spot)?,
+                (None, None) => {
+                    return Err(element.error(format!(
+                        "the macro {} expects a value for its parameter {name}",
+                        called.name
+                    )));
+                }
+            };
+            values.push((name.clone(), value));
+        }
+        Ok(())
+    }
+
+    /// Hands the blocks of a call to the macro's block parameters, in order.
+    fn hand_blocks(
+        &mut self,
+        called: &Macro,
+        element: &Element,
+        inner: usize,
+        blocks: Vec<Rc<Element>>,
+    ) -> Result<()> {
+        let mut blocks = blocks.into_iter();
+        for parameter in &called.parameters {
+            let parameter::Kind::Block { contents } = parameter.kind else {
+                continue;
+            };
+            let Some(block) = blocks.next() else {
+                let text = format!(
+                    "the macro {} expects an element {} within",
+                    called.name, parameter.name
+                );
+                return Err(element.error(text));
+            };
+            let block = Block {
+                element: block,
+                contents,
+            };
+            self.scopes.set_block(inner, &parameter.name, block);
+        }
+        match blocks.next() {
+            None => Ok(()),
+            Some(block) => Err(block.error(format!("the macro {} does not use it", called.name))),
+        }
+    }
+}
+
+/// What counts as true and false for a condition; `None` for a text that is neither.
+fn truth(value: &Value) -> Option<bool> {
+    match value {
+        Value::Str(text) => match &**text {
+            "true" | "True" => Some(true),
+            "false" | "False" => Some(false),
+            number => number.trim().parse().ok().map(|int: i64| int != 0),
+        },
+        value => Some(value.truth()),
+    }
+}

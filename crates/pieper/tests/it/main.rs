@@ -2,3 +2,4 @@
 
 mod urdf;
 mod urdf_errors;
+mod urdf_xacro;

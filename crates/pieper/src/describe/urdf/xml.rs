@@ -116,6 +116,16 @@ impl Element {
             .ok_or_else(|| self.error(format!("an attribute {name}=\"...\" was expected")))
     }
 
+    /// The element without attributes and contents.
+    pub(in crate::describe) fn bare(&self) -> Self {
+        Self {
+            name: self.name.clone(),
+            attributes: Vec::new(),
+            children: Vec::new(),
+            spot: self.spot.clone(),
+        }
+    }
+
     /// The child elements.
     pub(in crate::describe) fn elements(&self) -> impl Iterator<Item = &Self> {
         self.children.iter().filter_map(|node| match node {

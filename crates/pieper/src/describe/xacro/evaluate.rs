@@ -84,9 +84,7 @@ impl Expander<'_> {
         let words: Vec<&str> = inner.split_whitespace().collect();
         let value = match words[..] {
             ["arg", name] => self.argument(name, &site)?,
-            ["find", name] => self.resources.package(name).ok_or_else(|| {
-                Error::resource(&subject, "there is no package of this name").at(spot.place())
-            })?,
+            ["find", name] => self.package(name, &site)?,
             ["env", name] => self.resources.environment(name).ok_or_else(|| {
                 let text = "there is no environment variable of this name";
                 Error::resource(&subject, text).at(spot.place())
@@ -196,7 +194,7 @@ impl Expander<'_> {
             }
             Expr::Positive(operand) => {
                 let value = self.eval(operand, site)?;
-                told(value.number().map(|_| value))
+                told(operator::positive(value))
             }
             Expr::If {
                 then,

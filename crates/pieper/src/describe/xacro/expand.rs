@@ -12,10 +12,16 @@ use crate::describe::urdf::xml::{self, Attribute, Element, MAX_DEPTH, Node};
 use crate::error::Result;
 
 impl Expander<'_> {
-    /// The root, expanded.
+    /// The root, expanded. Its own attributes come last: many name the robot by an argument declared below.
     pub(super) fn root(&mut self, root: &Element) -> Result<Element> {
+        let mut contents = root.bare();
+        self.children(&root.children, GLOBAL, &mut contents)?;
         let mut out = self.start(root, GLOBAL)?;
-        self.children(&root.children, GLOBAL, &mut out)?;
+        out.children = contents.children;
+        for made in contents.attributes {
+            out.attributes.retain(|other| other.name != made.name);
+            out.attributes.push(made);
+        }
         for declaration in std::mem::take(&mut self.namespaces) {
             if out.attribute(&declaration.name).is_none() {
                 out.attributes.push(declaration);
@@ -107,10 +113,8 @@ impl Expander<'_> {
             });
         }
         Ok(Element {
-            name: element.name.clone(),
             attributes,
-            children: Vec::new(),
-            spot: element.spot.clone(),
+            ..element.bare()
         })
     }
 
@@ -331,12 +335,7 @@ impl Expander<'_> {
 
     /// The elements within a macro call, expanded where they stand.
     fn blocks(&mut self, element: &Element, scope: usize) -> Result<Vec<Rc<Element>>> {
-        let mut holder = Element {
-            name: String::new(),
-            attributes: Vec::new(),
-            children: Vec::new(),
-            spot: element.spot.clone(),
-        };
+        let mut holder = element.bare();
         self.children(&element.children, scope, &mut holder)?;
         let blocks = holder.children.into_iter().filter_map(|node| match node {
             Node::Element(element) => Some(element),

@@ -30,6 +30,8 @@ pub(super) struct Expander<'a> {
     pub(super) files: Vec<String>,
     /// The macros being expanded, outermost first.
     pub(super) calls: Vec<String>,
+    /// Folders of packages found so far.
+    packages: BTreeSet<String>,
     /// Namespace declarations of included files.
     pub(super) namespaces: Vec<Attribute>,
     /// Depth of the element being written.
@@ -66,6 +68,7 @@ impl<'a> Expander<'a> {
             known: BTreeSet::new(),
             files: vec![file_name.to_owned()],
             calls: Vec::new(),
+            packages: BTreeSet::new(),
             namespaces: Vec::new(),
             nesting: 0,
             depth: 0,
@@ -120,11 +123,27 @@ impl<'a> Expander<'a> {
         self.charge(10 + weight, spot)
     }
 
-    /// A file name as seen from the file being read.
+    /// The folder of a package.
+    pub(super) fn package(&mut self, name: &str, site: &Site<'_>) -> Result<String> {
+        let folder = self.resources.package(name).ok_or_else(|| {
+            Error::resource(site.text, "there is no package of this name").at(site.spot.place())
+        })?;
+        self.packages.insert(folder.clone());
+        Ok(folder)
+    }
+
+    /// A file name as seen from the file being read. What begins with a package's folder stays as it is, even if
+    /// the caller gave that as a relative one.
     pub(super) fn path(&self, name: &str) -> String {
+        let begins = |folder: &String| {
+            name.strip_prefix(folder)
+                .is_some_and(|n| n.starts_with('/'))
+        };
         let is_absolute = name.starts_with(['/', '\\']) || name.contains(':');
         match self.folder() {
-            Some(folder) if !is_absolute => format!("{folder}/{name}"),
+            Some(folder) if !is_absolute && !self.packages.iter().any(begins) => {
+                format!("{folder}/{name}")
+            }
             _ => name.to_owned(),
         }
     }

@@ -158,6 +158,13 @@ pub(super) fn negative(value: &Value) -> Outcome<Value> {
     }
 }
 
+pub(super) fn positive(value: Value) -> Outcome<Value> {
+    match value.integer() {
+        Some(int) => Ok(Value::Int(int)),
+        None => value.number().map(Value::Float),
+    }
+}
+
 /// `value[index]`.
 pub(super) fn index(value: &Value, index: &Value) -> Outcome<Value> {
     match value {

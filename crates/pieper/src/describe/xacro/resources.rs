@@ -28,8 +28,8 @@ use crate::error::{Error, Result};
 /// # Ok::<(), pieper::Error>(())
 /// ```
 pub trait Resources {
-    /// The text of the file at `path`: absolute as [`package`](Self::package) gave it, or relative to where the
-    /// description's own file name is relative to.
+    /// The text of the file at `path`, which begins with the folder of the description's own file name, or with one
+    /// that [`package`](Self::package) gave, or is absolute.
     ///
     /// # Errors
     /// A resource error that says why it cannot be had.

@@ -255,7 +255,7 @@ fn any_chain_can_be_written() {
         factor,
         offset,
     };
-    let mut axis = |random: &mut Random| UnitVector3::new_normalize(random.vector());
+    let axis = |random: &mut Random| UnitVector3::new_normalize(random.vector());
     let [a, b, c, d] = [(); 4].map(|()| axis(&mut random));
     let joints = vec![
         joint("q1", &mut random, Motion::Turn(a, drive(0, -1.0, 0.7))),

@@ -232,11 +232,15 @@ impl Expander<'_> {
             return Ok(());
         };
         let lazy = is_local && self.flag(element, "lazy_eval", true, scope)?;
-        let entry = if lazy && value.value.contains('$') {
-            Entry::Lazy(value.value.as_str().into(), value.spot.clone())
+        let entry = if lazy {
+            // A text without its quotes is looked at again when it is used: quotes alone do not keep `'1'` a text.
+            match literal(Value::Str(value.value.as_str().into()), &value.spot)? {
+                Value::Str(text) => Entry::Lazy(text, value.spot.clone()),
+                plain => Entry::Value(plain),
+            }
         } else {
-            let value_here = self.attribute(value, scope)?;
-            Entry::Value(literal(value_here, &value.spot)?)
+            let evaluated = self.attribute(value, scope)?;
+            Entry::Value(literal(evaluated, &value.spot)?)
         };
         self.scopes.set(target, &name, entry);
         Ok(())

@@ -192,7 +192,7 @@ fn mistakes_in_expressions() {
     ];
     for (expression, expected) in cases {
         // Quotes are written as entities, so the text of the message shows double ones.
-        check_expression(expression, &expected.to_owned());
+        check_expression(expression, expected);
     }
 }
 
@@ -338,9 +338,14 @@ fn unknown_arguments() {
     );
 }
 
-/// Small texts that would become huge, or never end: an error in good time, on a small stack.
+/// Small texts that would become huge, or never end: an error in good time, on half the stack that threads get.
 #[test]
 fn bombs() {
+    let thread = std::thread::Builder::new().stack_size(1 << 20);
+    thread.spawn(explode).unwrap().join().unwrap();
+}
+
+fn explode() {
     let twice = |body: &str| {
         let mut text = String::from("<xacro:macro name=\"m0\"><l/></xacro:macro>");
         for n in 1..60 {
@@ -365,11 +370,22 @@ fn bombs() {
     for n in 1..10_000 {
         lazy += &format!("<xacro:property name=\"p{n}\" value=\"${{p{}}}\"/>", n - 1);
     }
+    let mut brackets = String::from("<xacro:property name=\"p0\" value=\"1\"/>");
+    for n in 1..100 {
+        let (open, close) = ("[".repeat(39), "][0]".repeat(39));
+        brackets += &format!(
+            "<xacro:property name=\"p{n}\" value=\"${{{open}p{}{close}}}\"/>",
+            n - 1
+        );
+    }
     let cases = [
+        (brackets + "<l n=\"${p99}\"/>", "nested too deeply"),
         ("<xacro:macro name=\"m\"><xacro:m/></xacro:macro><xacro:m/>".to_owned(), "m -> m -> m -> m -> m: macro calls are nested too deeply"),
         ("<xacro:macro name=\"m\"><a><xacro:m/></a></xacro:macro><xacro:m/>".to_owned(), "nested"),
         ("<xacro:macro name=\"m\"><xacro:m/><xacro:m/></xacro:macro><xacro:m/>".to_owned(), "nested"),
         ("<xacro:property name=\"b\"><xacro:insert_block name=\"b\"/></xacro:property><xacro:insert_block name=\"b\"/>".to_owned(), "nested"),
+        ("<xacro:macro name=\"m\" params=\"**b\"><xacro:if value=\"true\"><xacro:call macro=\"m\"><b><xacro:insert_block name=\"b\"/></b></xacro:call></xacro:if></xacro:macro><xacro:m><b/></xacro:m>".to_owned(), "nested"),
+        ("<xacro:macro name=\"m\"><xacro:element xacro:name=\"a\"><xacro:m/></xacro:element></xacro:macro><xacro:m/>".to_owned(), "nested"),
         (twice("<xacro:m59/>"), "becomes too large"),
         (lists + "<l n=\"${p59}\"/>", "larger than 1048576"),
         (texts + "<l n=\"${p59}\"/>", "larger than 1048576"),

@@ -158,58 +158,64 @@ impl Expander<'_> {
     }
 
     fn eval_inner(&mut self, expr: &Expr, site: &Site<'_>) -> Result<Value> {
-        let told = |outcome: Outcome<Value>| outcome.map_err(|message| site.error(message));
+        // Every arm that needs room has a function of its own: this one is on the stack many times over.
         match expr {
             Expr::Int(value) => Ok(Value::Int(*value)),
             Expr::Float(value) => Ok(Value::Float(*value)),
-            Expr::Str(text) => told(Value::str(text.as_str())),
+            Expr::Str(text) => Value::str(text.as_str()).map_err(|message| site.error(message)),
             Expr::Name(name) => self.name(name, site),
             Expr::List(items) => {
                 let items = self.eval_all(items, site)?;
-                told(Value::list(items))
+                Value::list(items).map_err(|message| site.error(message))
             }
-            Expr::Dict(entries) => {
-                let mut values = Vec::with_capacity(entries.len());
-                for (key, value) in entries {
-                    values.push((self.eval(key, site)?, self.eval(value, site)?));
-                }
-                told(Value::dict(values))
-            }
-            Expr::Chain(first, rest) => {
-                let mut value = self.eval(first, site)?;
-                for (operator, operand) in rest {
-                    let operand = self.eval(operand, site)?;
-                    self.charge_values(&[&value, &operand], &site.spot)?;
-                    value = told(operator::binary(*operator, &value, &operand))?;
-                }
-                Ok(value)
-            }
+            Expr::Dict(entries) => self.dict(entries, site),
+            Expr::Chain(first, rest) => self.chain(first, rest, site),
             Expr::Compare(first, rest) => self.comparison(first, rest, site),
             Expr::And(items) => self.first_with_truth(items, false, site),
             Expr::Or(items) => self.first_with_truth(items, true, site),
-            Expr::Not(operand) => Ok(Value::Bool(!self.eval(operand, site)?.truth())),
-            Expr::Negative(operand) => {
+            Expr::Not(operand) | Expr::Negative(operand) | Expr::Positive(operand) => {
                 let value = self.eval(operand, site)?;
-                told(operator::negative(&value))
-            }
-            Expr::Positive(operand) => {
-                let value = self.eval(operand, site)?;
-                told(operator::positive(value))
+                let outcome = match expr {
+                    Expr::Not(_) => Ok(Value::Bool(!value.truth())),
+                    Expr::Negative(_) => operator::negative(&value),
+                    _ => operator::positive(value),
+                };
+                outcome.map_err(|message| site.error(message))
             }
             Expr::If {
                 then,
                 condition,
                 otherwise,
             } => {
-                let chosen = if self.eval(condition, site)?.truth() {
-                    then
-                } else {
-                    otherwise
-                };
-                self.eval(chosen, site)
+                let holds = self.eval(condition, site)?.truth();
+                self.eval(if holds { then } else { otherwise }, site)
             }
             Expr::Access(operand, rest) => self.access(operand, rest, site),
         }
+    }
+
+    fn dict(&mut self, entries: &[(Expr, Expr)], site: &Site<'_>) -> Result<Value> {
+        let mut values = Vec::with_capacity(entries.len());
+        for (key, value) in entries {
+            values.push((self.eval(key, site)?, self.eval(value, site)?));
+        }
+        Value::dict(values).map_err(|message| site.error(message))
+    }
+
+    fn chain(
+        &mut self,
+        first: &Expr,
+        rest: &[(syntax::Binary, Expr)],
+        site: &Site<'_>,
+    ) -> Result<Value> {
+        let mut value = self.eval(first, site)?;
+        for (operator, operand) in rest {
+            let operand = self.eval(operand, site)?;
+            self.charge_values(&[&value, &operand], &site.spot)?;
+            value = operator::binary(*operator, &value, &operand)
+                .map_err(|message| site.error(message))?;
+        }
+        Ok(value)
     }
 
     fn eval_all(&mut self, items: &[Expr], site: &Site<'_>) -> Result<Vec<Value>> {
@@ -250,47 +256,60 @@ impl Expander<'_> {
     /// `operand.name(argument)[index]` and so on.
     fn access(&mut self, operand: &Expr, rest: &[Access], site: &Site<'_>) -> Result<Value> {
         let (mut value, mut rest) = self.operand(operand, rest, site)?;
-        while let Some((access, after)) = rest.split_first() {
-            rest = after;
-            let outcome = match (access, after.split_first()) {
-                (Access::Attribute(name), Some((Access::Call(plain, named), after))) => {
-                    rest = after;
-                    if let Some((name, _)) = named.first() {
-                        return Err(site.error(format!("the argument {name}= is not known")));
-                    }
-                    let args = self.eval_all(plain, site)?;
-                    let weights: Vec<&Value> = std::iter::once(&value).chain(&args).collect();
-                    self.charge_values(&weights, &site.spot)?;
-                    function::method(&value, name, &args)
-                }
-                (Access::Attribute(name), _) => match &value {
-                    Value::Dict(_) => {
-                        let key = Value::str(name.as_str()).map_err(|m| site.error(m))?;
-                        operator::index(&value, &key)
-                    }
-                    _ => Err(format!("{} has no part {name}", value.described())),
-                },
-                (Access::Index(index), _) => {
-                    let index = self.eval(index, site)?;
-                    self.charge_values(&[&value], &site.spot)?;
-                    operator::index(&value, &index)
-                }
-                (Access::Slice(start, end), _) => {
-                    let mut bound = |bound: &Option<Expr>| {
-                        bound
-                            .as_ref()
-                            .map(|bound| self.eval(bound, site))
-                            .transpose()
-                    };
-                    let (start, end) = (bound(start)?, bound(end)?);
-                    self.charge_values(&[&value], &site.spot)?;
-                    operator::slice(&value, start.as_ref(), end.as_ref())
-                }
-                (Access::Call(..), _) => Err(format!("{} is no function", value.described())),
+        loop {
+            let outcome;
+            (outcome, rest) = match rest {
+                [] => return Ok(value),
+                [
+                    Access::Attribute(name),
+                    Access::Call(plain, named),
+                    after @ ..,
+                ] => (self.method(&value, name, plain, named, site)?, after),
+                [access, after @ ..] => (self.part(&value, access, site)?, after),
             };
             value = outcome.map_err(|message| site.error(message))?;
         }
-        Ok(value)
+    }
+
+    fn method(
+        &mut self,
+        value: &Value,
+        name: &str,
+        plain: &[Expr],
+        named: &[(String, Expr)],
+        site: &Site<'_>,
+    ) -> Result<Outcome<Value>> {
+        if let Some((word, _)) = named.first() {
+            return Err(site.error(format!("the argument {word}= of {name}() is not known")));
+        }
+        let args = self.eval_all(plain, site)?;
+        let weights: Vec<&Value> = std::iter::once(value).chain(&args).collect();
+        self.charge_values(&weights, &site.spot)?;
+        Ok(function::method(value, name, &args))
+    }
+
+    fn part(&mut self, value: &Value, access: &Access, site: &Site<'_>) -> Result<Outcome<Value>> {
+        self.charge_values(&[value], &site.spot)?;
+        Ok(match access {
+            Access::Attribute(name) => match value {
+                Value::Dict(_) => {
+                    Value::str(name.as_str()).and_then(|key| operator::index(value, &key))
+                }
+                _ => Err(format!("{} has no part {name}", value.described())),
+            },
+            Access::Index(index) => operator::index(value, &self.eval(index, site)?),
+            Access::Slice(start, end) => {
+                let mut bound = |bound: &Option<Expr>| {
+                    bound
+                        .as_ref()
+                        .map(|bound| self.eval(bound, site))
+                        .transpose()
+                };
+                let (start, end) = (bound(start)?, bound(end)?);
+                operator::slice(value, start.as_ref(), end.as_ref())
+            }
+            Access::Call(..) => Err(format!("{} is no function", value.described())),
+        })
     }
 
     /// The value that an access begins with, which for a function or namespace takes more than the operand, and what is

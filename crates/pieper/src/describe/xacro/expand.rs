@@ -71,30 +71,34 @@ impl Expander<'_> {
                 Ok(())
             }
             "insert_block" => self.insert_block(element, scope, out),
-            "element" => {
-                let name = self.written_name(element.required("xacro:name")?, scope)?;
-                let mut copy = self.start(element, scope)?;
-                copy.name = name;
-                self.plain(copy, element, scope, out)
-            }
-            "attribute" => {
-                let name = self.written_name(element.required("name")?, scope)?;
-                let value = element.required("value")?;
-                let attribute = Attribute {
-                    name,
-                    value: self.attribute(value, scope)?.text(),
-                    spot: value.spot.clone(),
-                };
-                out.attributes.retain(|other| other.name != attribute.name);
-                out.attributes.push(attribute);
-                Ok(())
-            }
+            "element" => self.make_element(element, scope, out),
+            "attribute" => self.make_attribute(element, scope, out),
             "call" => {
                 let name = self.attribute(element.required("macro")?, scope)?.text();
                 self.call_macro(&name, element, scope, out)
             }
             name => self.call_macro(name, element, scope, out),
         }
+    }
+
+    fn make_element(&mut self, element: &Element, scope: usize, out: &mut Element) -> Result<()> {
+        let name = self.written_name(element.required("xacro:name")?, scope)?;
+        let mut copy = self.start(element, scope)?;
+        copy.name = name;
+        self.plain(copy, element, scope, out)
+    }
+
+    fn make_attribute(&mut self, element: &Element, scope: usize, out: &mut Element) -> Result<()> {
+        let name = self.written_name(element.required("name")?, scope)?;
+        let value = element.required("value")?;
+        let attribute = Attribute {
+            name,
+            value: self.attribute(value, scope)?.text(),
+            spot: value.spot.clone(),
+        };
+        out.attributes.retain(|other| other.name != attribute.name);
+        out.attributes.push(attribute);
+        Ok(())
     }
 
     /// An element without its children, attributes evaluated.

@@ -9,8 +9,8 @@ use crate::describe::urdf::xml::{Attribute, Spot};
 use crate::error::{Error, Result};
 
 /// Nested elements, macro calls, includes, properties that need others and brackets of expressions, all together: each
-/// takes some hundred bytes of the stack, which must hold on a thread of 2 MiB.
-const MAX_DEPTH: usize = 500;
+/// takes up to 4 KiB of the stack without optimisation, and a thread has 2 MiB.
+const MAX_DEPTH: usize = 400;
 
 /// Work done, in bytes handled or about ten nanoseconds: large enough for descriptions a hundred times the size of any in
 /// use, small enough to say no within seconds to one that doubles itself.

@@ -1,4 +1,5 @@
-//! URDF, the robot description of ROS: [`read`] gives a [`Tree`](crate::model::Tree), [`write`] and [`write_chain`] give text.
+//! URDF, the robot description of ROS: [`read`] gives a [`Tree`](crate::model::Tree), [`write()`] and
+//! [`write_chain`] give text.
 
 mod chain;
 mod joint;

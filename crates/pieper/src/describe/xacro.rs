@@ -11,10 +11,13 @@
 //!
 //! The order matters, as in xacro itself: what is used must have been defined before.
 
+mod call;
 mod evaluate;
 mod expand;
 mod expander;
+mod expr;
 mod function;
+mod interpret;
 mod operator;
 mod parameter;
 mod print;

@@ -41,8 +41,7 @@ pub(super) fn call(name: &str, args: &[Value]) -> Option<Outcome<Value>> {
         ("sum", [Value::List(list)]) => {
             let mut sum = Ok(Value::Int(0));
             for item in &list.items {
-                sum =
-                    sum.and_then(|s| super::operator::binary(super::syntax::Binary::Add, &s, item));
+                sum = sum.and_then(|s| super::operator::binary(super::expr::Binary::Add, &s, item));
             }
             sum
         }

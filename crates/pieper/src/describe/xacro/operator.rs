@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::syntax::{Binary, Compare};
+use super::expr::{Binary, Compare};
 use super::value::{Outcome, Value};
 
 pub(super) fn binary(operator: Binary, a: &Value, b: &Value) -> Outcome<Value> {

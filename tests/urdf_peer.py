@@ -153,6 +153,10 @@ def compare(binary, path, text):
     """Worst relative deviation over all links and configurations, number of links, number of joints."""
     model = pin.buildModelFromXML(text)
     follows = followers(text)
+    moving = {name for name, _, _ in joints(model)}
+    for name, (leader, _, _) in follows.items():
+        if leader not in moving:
+            raise LookupError(f"its joint {name} mimics {leader}, which it does not have")
     names = [name for name, _, _ in joints(model) if name not in follows]
     if any(entries > 2 for _, _, entries in joints(model)):
         raise LookupError("it has a floating or planar joint")

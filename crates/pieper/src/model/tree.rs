@@ -187,29 +187,56 @@ impl Tree {
 
     /// The tip that a person most likely means: at the end of the path with the most joints that move,
     /// the farthest link there; of several, the one named like a tool, else the first.
+    ///
+    /// Where a path forks into several that move, none by more joints than led there, a gripper begins: its fingers
+    /// are no tips.
     pub fn default_tip(&self) -> usize {
-        let tool_like = |name: &str| {
-            let name = name.to_ascii_lowercase();
-            ["tool", "tcp", "flange", "ee", "end_effector"]
-                .iter()
-                .any(|word| name.contains(word))
-        };
-        // For each link: moving joints on the way from the root, and all joints.
-        let mut ways = vec![(0, 0); self.links.len()];
+        let fingers = self.fingers();
+        // For each link that is no finger: moving joints on the way from the root, and all joints.
+        let mut ways = vec![None; self.links.len()];
+        ways[self.root] = Some((0, 0));
         for &index in &self.order {
             let joint = &self.joints[index];
-            let (moving, all) = ways[joint.parent];
-            ways[joint.child] = (moving + usize::from(self.is_independent(index)), all + 1);
+            ways[joint.child] = ways[joint.parent]
+                .filter(|_| !fingers[index])
+                .map(|(moving, all)| (moving + usize::from(self.is_independent(index)), all + 1));
         }
         let rank = |link: usize| {
-            let (moving, all) = ways[link];
-            (moving, tool_like(&self.links[link].name), all)
+            let (moving, all) = ways[link]?;
+            Some((moving, is_tool_like(&self.links[link].name), all))
         };
         // `max_by_key` takes the last of equals; reversed, that is the first in the description.
         (0..self.links.len())
             .rev()
             .max_by_key(|&link| rank(link))
             .unwrap_or(self.root)
+    }
+
+    /// For each joint, whether it is the first of a finger.
+    fn fingers(&self) -> Vec<bool> {
+        // Joints that move: on the longest way from a link outwards; first ones of such ways; on the way to it.
+        let mut beyond = vec![0usize; self.links.len()];
+        let mut branches = vec![0usize; self.links.len()];
+        let mut before = vec![0usize; self.links.len()];
+        for &index in self.order.iter().rev() {
+            let joint = &self.joints[index];
+            let (moves, further) = (joint.drive.is_some(), branches[joint.child]);
+            // Fixed joints only hand on what branches behind them.
+            branches[joint.parent] += if moves { 1 } else { further };
+            let outward = beyond[joint.child] + usize::from(moves);
+            beyond[joint.parent] = beyond[joint.parent].max(outward);
+        }
+        let mut fingers = vec![false; self.joints.len()];
+        let mut in_gripper = vec![false; self.links.len()];
+        for &index in &self.order {
+            let joint = &self.joints[index];
+            let (parent, child) = (joint.parent, joint.child);
+            let forks = branches[parent] > 1 && beyond[parent] <= before[parent];
+            in_gripper[child] = joint.drive.is_none() && (in_gripper[parent] || forks);
+            fingers[index] = joint.drive.is_some() && (in_gripper[parent] || forks);
+            before[child] = before[parent] + usize::from(joint.drive.is_some());
+        }
+        fingers
     }
 
     /// Whether a joint moves by a variable of its own rather than following another.
@@ -298,6 +325,16 @@ impl Tree {
         }
         Ok(poses)
     }
+}
+
+/// Whether a link's name says that it is where the tool is.
+fn is_tool_like(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    let mut words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    ["tool", "tcp", "flange", "end_effector"]
+        .iter()
+        .any(|word| name.contains(word))
+        || words.any(|word| word == "ee")
 }
 
 fn parents_first(joints: &[TreeJoint], root: usize, links: usize) -> Vec<usize> {

@@ -94,7 +94,47 @@ fn reads_links_joints_and_variables() {
     };
     assert_eq!(drive("mirror"), follow(-0.5, 0.0));
     assert_eq!(drive("right_finger"), follow(-1.0, 0.001));
-    assert_eq!(tree.links()[tree.default_tip()].name, "left");
+}
+
+/// A robot of joints `parent-child`, those with a `~` between them moving.
+fn tip_of(joints: &str) -> String {
+    let mut text = String::from("<robot name=\"r\"><link name=\"base\"/>");
+    for joint in joints.split(' ') {
+        let kind = if joint.contains('~') {
+            "continuous"
+        } else {
+            "fixed"
+        };
+        let (parent, child) = joint.split_once(['~', '-']).unwrap();
+        text += &format!(
+            "<link name=\"{child}\"/><joint name=\"{child}\" type=\"{kind}\">
+            <parent link=\"{parent}\"/><child link=\"{child}\"/></joint>"
+        );
+    }
+    let tree = urdf::read("", &(text + "</robot>")).unwrap();
+    tree.links()[tree.default_tip()].name.clone()
+}
+
+#[test]
+fn the_default_tip_is_where_a_person_would_put_the_tool() {
+    let cases = [
+        ("base~a a~b b-c", "c"),
+        ("base~a a~b b-c b-tool0 c-d", "tool0"),
+        ("base~a a~b b-knee b-c c-d", "d"),
+        // Fingers are no tips, behind whatever they are mounted on.
+        ("base~a a~b b~hand hand~left hand~right", "hand"),
+        (
+            "base~a a~b b~c c-hand hand~left hand~right hand-tcp left-pad",
+            "tcp",
+        ),
+        // Two arms on a torso are.
+        ("base~torso torso~l1 l1~l2 l2~l3 torso~r1 r1~r2 r2~r3", "l3"),
+        ("base-torso torso~l1 l1~l2 torso~r1 r1~r2 r2~r3", "r3"),
+    ];
+    for (joints, tip) in cases {
+        assert_eq!(tip_of(joints), tip, "{joints}");
+    }
+    assert_eq!(arm().links()[arm().default_tip()].name, "camera");
 }
 
 #[test]

@@ -281,3 +281,20 @@ fn not_a_tree() {
         "f.urdf:3:1: <link name=\"b\">: no joint carries it, nor link a: one root link was expected",
     );
 }
+
+#[test]
+fn line_ends_and_byte_order_marks_do_not_shift_places() {
+    check(
+        "\u{feff}<robot>\r\n<link name=\"a\"/>\r\n <link name=\"a\"/></robot>",
+        "f.urdf:3:2: <link name=\"a\">: there is a link of this name already",
+    );
+    check(
+        "\u{feff}<sdf/>",
+        "f.urdf:1:1: <sdf>: an element <robot> was expected",
+    );
+    // Columns count characters, not bytes.
+    check(
+        "<robot><link name=\"Schlüssel\"/><link name=\"Schlüssel\"/></robot>",
+        "f.urdf:1:32: <link name=\"Schlüssel\">: there is a link of this name already",
+    );
+}

@@ -156,6 +156,8 @@ impl Element {
 /// What is not well-formed, with its place; a document type (entities are how a small file becomes a huge one);
 /// too many or too deeply nested elements.
 pub(in crate::describe) fn parse(file_name: &str, text: &str) -> Result<Element> {
+    // A byte order mark takes no column.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let source = Rc::new(Source {
         name: file_name.to_owned(),
         text: text.to_owned(),

@@ -7,6 +7,8 @@ pub mod expr;
 pub mod robot;
 mod robot_file;
 pub mod screws;
+pub mod urdf;
+pub mod xacro;
 
 pub use dh::{Convention, DhTable};
 pub use expr::Expr;

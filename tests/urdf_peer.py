@@ -160,6 +160,8 @@ def compare(binary, path, text):
     names = [name for name, _, _ in joints(model) if name not in follows]
     if any(entries > 2 for _, _, entries in joints(model)):
         raise LookupError("it has a floating or planar joint")
+    if not names:
+        raise LookupError("no joint of it moves")
     random = np.random.default_rng(20260101)
     configurations = [{name: 0.0 for name in names}]
     configurations += [{name: float(random.uniform(-3, 3)) for name in names} for _ in range(CONFIGURATIONS - 1)]

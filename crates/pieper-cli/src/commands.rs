@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod convert;
 mod fk;
 mod info;
 mod robots;
@@ -17,6 +18,8 @@ pub(crate) enum Command {
     Info(info::Arguments),
     /// Forward kinematics: joint values in, the tool's pose out
     Fk(fk::Arguments),
+    /// Write a robot in another description: table, screws or URDF
+    Convert(convert::Arguments),
 }
 
 impl Command {
@@ -26,6 +29,7 @@ impl Command {
             Self::Robots(arguments) => arguments.run(),
             Self::Info(arguments) => arguments.run(),
             Self::Fk(arguments) => arguments.run(),
+            Self::Convert(arguments) => arguments.run(),
         }
     }
 }

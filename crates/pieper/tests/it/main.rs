@@ -16,3 +16,4 @@ mod support;
 mod urdf;
 mod urdf_errors;
 mod urdf_xacro;
+mod vectors;

@@ -214,9 +214,16 @@ impl WithSimd for Batch<'_> {
         let width = S::F64_LANES;
         // A single lane has no fused multiply-add to reduce angles with: the plain way is the faster one there.
         let blocks = if width > 1 { count / width } else { 0 };
+        let zero = Lanes::splat(simd, 0.0);
+        let mut turns = Turns(
+            [Turn {
+                sin: zero,
+                cos: zero,
+            }; PACK],
+        );
         for block in 0..blocks {
             let (from, to) = (start + block * width, block * width);
-            if several(simd, canonical, q, from, &mut out, to) {
+            if several(simd, canonical, q, from, &mut turns, &mut out, to) {
                 continue;
             }
             let bad =
@@ -229,6 +236,10 @@ impl WithSimd for Batch<'_> {
     }
 }
 
+/// Sines and cosines of a pack of steps, where no register straddles two cache lines.
+#[repr(align(64))]
+struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
+
 /// One register's worth of poses, of the vectors from `from` on, written from place `to` on; `false`, and nothing of
 /// use written, if an angle is too large or not finite.
 #[inline(always)]
@@ -237,6 +248,7 @@ fn several<S: Simd>(
     canonical: &Canonical,
     q: &JointBatch,
     from: usize,
+    Turns(turns): &mut Turns<S>,
     out: &mut [&mut [f64]; ENTRIES],
     to: usize,
 ) -> bool {
@@ -252,10 +264,6 @@ fn several<S: Simd>(
     let mut sizes = splat(0.0);
     for steps in canonical.steps.chunks(PACK) {
         // All sines and cosines first: they are independent of one another, the product is one long chain.
-        let mut turns = [Turn {
-            sin: splat(0.0),
-            cos: splat(0.0),
-        }; PACK];
         for (turn, step) in turns.iter_mut().zip(steps) {
             let values = &q.joint(step.drive.variable)[from..from + S::F64_LANES];
             let value = Lanes {

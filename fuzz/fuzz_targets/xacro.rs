@@ -3,6 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
+use pieper::describe::urdf;
 use pieper::describe::xacro::{self, Resources};
 use pieper::{Error, Result};
 
@@ -29,13 +30,14 @@ impl Resources for Files<'_> {
 }
 
 fuzz_target!(|text: &str| {
+    // One expansion for each text: those that only the bound on work stops take seconds under a sanitizer.
+    if text.len() % 2 == 0 {
+        let _ = xacro::read("f.xacro", text, &[], &Files(text));
+        return;
+    }
     if let Ok(expanded) = xacro::expand("f.xacro", text, &[], &Files(text)) {
-        // The first line of the text with the root element stands for the whole: foreign prefixes may stay unbound only
-        // if they were so before, which no text that reads has.
-        let again = pieper::describe::urdf::read("expanded.urdf", &expanded);
-        if let Err(error) = again {
+        if let Err(error) = urdf::read("expanded.urdf", &expanded) {
             assert!(!error.to_string().contains(": XML: "), "{error}\n{expanded}");
         }
     }
-    let _ = xacro::read("f.xacro", text, &[], &Files(text));
 });

@@ -60,6 +60,22 @@ fn not_xml() {
     );
 }
 
+/// What the parser would take its time for.
+#[test]
+fn too_much() {
+    let many = |text: fn(usize) -> String| (0..2000).map(text).collect::<String>();
+    let attributes = many(|i| format!(" a{i}=\"1\""));
+    check(
+        &format!("<robot>\n<link{attributes}/></robot>"),
+        "f.urdf:2:2: there are more than 1000 attributes in one tag",
+    );
+    let declarations = many(|i| format!("<a xmlns:a{i}=\"1\"/>\n"));
+    check(
+        &format!("<robot>{declarations}</robot>"),
+        "f.urdf:1001:4: there are more than 1000 namespace declarations",
+    );
+}
+
 #[test]
 fn not_a_robot() {
     check(

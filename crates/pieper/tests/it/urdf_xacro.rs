@@ -387,6 +387,8 @@ fn explode() {
         ("<xacro:macro name=\"m\" params=\"**b\"><xacro:if value=\"true\"><xacro:call macro=\"m\"><b><xacro:insert_block name=\"b\"/></b></xacro:call></xacro:if></xacro:macro><xacro:m><b/></xacro:m>".to_owned(), "nested"),
         ("<xacro:macro name=\"m\"><xacro:element xacro:name=\"a\"><xacro:m/></xacro:element></xacro:macro><xacro:m/>".to_owned(), "nested"),
         (twice("<xacro:m59/>"), "becomes too large"),
+        // What the fuzzer took longest for: a macro that calls itself twice, n times over.
+        ("<xacro:macro name=\"m\" params=\"n\"><xacro:if value=\"${n > 0}\"><l/><xacro:m n=\"${n - 2}\"/><xacro:m n=\"${n - 2}\"/></xacro:if></xacro:macro><xacro:m n=\"60\"/>".to_owned(), "becomes too large"),
         (lists + "<l n=\"${p59}\"/>", "larger than 1048576"),
         (texts + "<l n=\"${p59}\"/>", "larger than 1048576"),
         (lazy + "<l n=\"${p9999}\"/>", "nested too deeply"),

@@ -12,6 +12,9 @@ pub(in crate::describe) const MAX_DEPTH: usize = 200;
 /// More elements, texts and attributes than this in one file are refused; the largest public descriptions have some 10,000.
 const MAX_NODES: u32 = 1_000_000;
 
+/// More attributes in one tag, or namespace declarations in one file, are refused: the parser compares each with each.
+const MAX_ATTRIBUTES: usize = 1000;
+
 /// A file's name and text.
 #[derive(Debug)]
 pub(in crate::describe) struct Source {
@@ -162,6 +165,7 @@ pub(in crate::describe) fn parse(file_name: &str, text: &str) -> Result<Element>
         name: file_name.to_owned(),
         text: text.to_owned(),
     });
+    check_counts(&source)?;
     let options = ParsingOptions {
         allow_dtd: false,
         nodes_limit: MAX_NODES,
@@ -170,6 +174,29 @@ pub(in crate::describe) fn parse(file_name: &str, text: &str) -> Result<Element>
     let document =
         Document::parse_with_options(text, options).map_err(|error| syntax(&source, error))?;
     element(&document.root_element(), &source, 0)
+}
+
+fn check_counts(source: &Rc<Source>) -> Result<()> {
+    let error = |offset, what: &str| {
+        let spot = Spot {
+            source: Rc::clone(source),
+            offset,
+        };
+        Err(spot.error("", format!("there are more than {MAX_ATTRIBUTES} {what}")))
+    };
+    if let Some((offset, _)) = source.text.match_indices("xmlns").nth(MAX_ATTRIBUTES) {
+        return error(offset, "namespace declarations");
+    }
+    // No attribute is without two quotes, and none holds a `<`.
+    let mut offset = 0;
+    for tag in source.text.split('<') {
+        let quotes = tag.bytes().filter(|byte| matches!(byte, b'"' | b'\''));
+        if tag.len() > 2 * MAX_ATTRIBUTES && quotes.count() > 2 * MAX_ATTRIBUTES {
+            return error(offset, "attributes in one tag");
+        }
+        offset += tag.len() + 1;
+    }
+    Ok(())
 }
 
 #[cold]
@@ -216,7 +243,7 @@ fn element(node: &roxmltree::Node<'_, '_>, source: &Rc<Source>, depth: usize) ->
     let start = node.range().start;
     let mut built = Element {
         name: tag_name(&source.text[start..]).to_owned(),
-        attributes: declarations(node, &spot(start)),
+        attributes: declarations(node, source, &spot(start)),
         children: Vec::new(),
         spot: spot(start),
     };
@@ -250,7 +277,14 @@ fn tag_name(text: &str) -> &str {
 }
 
 /// The namespace declarations that an element adds to its parent's, as the attributes they are written as.
-fn declarations(node: &roxmltree::Node<'_, '_>, spot: &Spot) -> Vec<Attribute> {
+fn declarations(node: &roxmltree::Node<'_, '_>, source: &Source, spot: &Spot) -> Vec<Attribute> {
+    let range = node.range();
+    let tag_end = node
+        .first_child()
+        .map_or(range.end, |child| child.range().start);
+    if !source.text[range.start..tag_end].contains("xmlns") {
+        return Vec::new();
+    }
     let inherited = |space: &roxmltree::Namespace<'_>| {
         node.parent_element()
             .is_some_and(|parent| parent.lookup_namespace_uri(space.name()) == Some(space.uri()))

@@ -12,9 +12,9 @@ use crate::error::{Error, Result};
 /// takes up to 4 KiB of the stack without optimisation, and a thread has 2 MiB.
 const MAX_DEPTH: usize = 400;
 
-/// Work done, in bytes handled or about ten nanoseconds: large enough for descriptions a hundred times the size of any in
-/// use, small enough to say no within seconds to one that doubles itself.
-const MAX_WORK: usize = 1 << 28;
+/// Work done, in bytes handled or about a nanosecond: several times what the largest descriptions in use take, small
+/// enough to say no within a second to one that doubles itself.
+const MAX_WORK: usize = 1 << 27;
 
 /// What an element costs in that measure: about the memory it takes.
 pub(super) const ELEMENT_WORK: usize = 512;

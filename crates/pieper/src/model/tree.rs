@@ -256,17 +256,16 @@ impl Tree {
     pub fn chain(&self, base: usize, tip: usize) -> Result<Chain> {
         let path = self.path(base, tip)?;
         let mut used: Vec<usize> = Vec::new();
+        // For each of the tree's variables, its place among the chain's.
+        let mut places = vec![None; self.variables.len()];
         let mut joints = Vec::with_capacity(path.len());
         for &index in &path {
             let joint = &self.joints[index];
             let drive = joint.drive.map(|drive| {
-                let variable = used
-                    .iter()
-                    .position(|&v| v == drive.variable)
-                    .unwrap_or_else(|| {
-                        used.push(drive.variable);
-                        used.len() - 1
-                    });
+                let variable = *places[drive.variable].get_or_insert_with(|| {
+                    used.push(drive.variable);
+                    used.len() - 1
+                });
                 Drive { variable, ..drive }
             });
             joints.push(self.chain_joint(joint, drive));

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Vector3;
 
 use crate::model::{Drive, Geometry, JointKind, Limits, Shape, Tree, TreeJoint, Variable};
 use crate::spatial::{self, Pose};
@@ -176,7 +176,7 @@ impl Writer {
             return;
         }
         let xyz = numbers(pose.translation.vector.as_slice());
-        let rpy = numbers(&rpy(&pose.rotation));
+        let rpy = numbers(&spatial::to_rpy(&pose.rotation));
         self.line(indent, &format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>"));
     }
 }
@@ -215,16 +215,6 @@ fn geometry(geometry: &Geometry) -> String {
         }
         Geometry::Sphere { radius } => format!("<sphere radius=\"{}\"/>", number(*radius)),
     }
-}
-
-/// Roll, pitch and yaw that give the rotation back to rounding, also near a pitch of a right angle: there roll and yaw
-/// are hardly determined one by one, so the roll is taken as what is left when pitch and yaw are undone.
-fn rpy(rotation: &Rotation3<f64>) -> [f64; 3] {
-    let [_, pitch, yaw] = spatial::to_rpy(rotation);
-    let (sin, cos) = spatial::sin_cos_exact(yaw);
-    let m = rotation.matrix();
-    let roll = (sin * m[(0, 2)] - cos * m[(1, 2)]).atan2(cos * m[(1, 1)] - sin * m[(0, 1)]);
-    [roll, pitch, yaw].map(spatial::snap)
 }
 
 fn numbers(values: &[f64]) -> String {

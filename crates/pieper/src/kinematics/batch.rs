@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 
 use super::kernel::{Frame, Turn};
-use super::lanes::{self, Lanes};
+use super::lanes::{self, LaneColumn, Lanes};
 use super::single::{self, Moved};
 use crate::error::{Error, Result};
 use crate::model::{Canonical, Chain, PACK, Step};
@@ -288,13 +288,18 @@ fn several<S: Simd>(
 ) -> bool {
     let splat = |value: f64| Lanes::splat(simd, value);
     let base = single::base_frame(&canonical.base);
-    let row = |r: usize| Frame {
-        x: splat(base.x[r]),
-        y: splat(base.y[r]),
-        z: splat(base.z[r]),
-        p: splat(base.p[r]),
+    let column = |[x, y, z]: [f64; 3]| LaneColumn {
+        simd,
+        x: simd.splat_f64s(x),
+        y: simd.splat_f64s(y),
+        z: simd.splat_f64s(z),
     };
-    let mut rows = [row(0), row(1), row(2)];
+    let mut frame = Frame {
+        x: column(base.x),
+        y: column(base.y),
+        z: column(base.z),
+        p: column(base.p),
+    };
     let mut sizes = splat(0.0);
     for steps in canonical.steps.chunks(PACK) {
         // All sines and cosines first: they are independent of one another, the product is one long chain.
@@ -320,28 +325,32 @@ fn several<S: Simd>(
                 }
             };
         }
-        // A motion from the right acts on each row by itself; the four numbers of one row stay in registers.
-        for row in &mut rows {
-            let motion = |index: usize, step: &Step| {
-                if step.turns {
-                    Moved::Turned(turns[index])
-                } else {
-                    Moved::Slid(turns[index].sin)
-                }
-            };
-            *row = single::run(steps, *row, splat, motion, |_, _| {});
-        }
-    }
-    for (r, row) in rows.iter_mut().enumerate() {
-        single::append_tail(row, canonical, splat);
-        let mut store = |column: usize, value: Lanes<S>| {
-            S::as_mut_simd_f64s(&mut out[3 * column + r][to..to + S::F64_LANES]).0[0] = value.value;
+        let motion = |index: usize, step: &Step| {
+            if step.turns {
+                Moved::Turned(turns[index])
+            } else {
+                Moved::Slid(turns[index].sin)
+            }
         };
-        store(0, row.x);
-        store(1, row.y);
-        store(2, row.z);
-        store(3, row.p);
+        frame = single::run(steps, frame, splat, motion, |_, _| {});
     }
+    single::append_tail(&mut frame, canonical, splat);
+    let mut store = |entry: usize, value: S::f64s| {
+        S::as_mut_simd_f64s(&mut out[entry][to..to + S::F64_LANES]).0[0] = value;
+    };
+    let Frame { x, y, z, p } = frame;
+    store(0, x.x);
+    store(1, x.y);
+    store(2, x.z);
+    store(3, y.x);
+    store(4, y.y);
+    store(5, y.z);
+    store(6, z.x);
+    store(7, z.y);
+    store(8, z.z);
+    store(9, p.x);
+    store(10, p.y);
+    store(11, p.z);
     let small = simd.less_than_f64s(sizes.value, simd.splat_f64s(lanes::MAX_REDUCED));
     lanes::all_true(simd, small)
 }

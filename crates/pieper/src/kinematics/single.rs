@@ -69,10 +69,10 @@ fn append_link<C: Column>(
                     cos: lift(cos),
                 });
             }
-            if *d != 0.0 {
+            if is_length(*d) {
                 frame.shift_z(&lift(*d));
             }
-            if *a != 0.0 {
+            if is_length(*a) {
                 frame.shift_x(&lift(*a));
             }
             match quarters {
@@ -84,6 +84,12 @@ fn append_link<C: Column>(
             }
         }
     }
+}
+
+/// Whether a length is not zero, asked of its bits: the integer units are idle here, the others are not.
+#[inline(always)]
+fn is_length(value: f64) -> bool {
+    value.to_bits() << 1 != 0
 }
 
 #[inline(always)]

@@ -4,11 +4,13 @@
 
 pub mod dh;
 pub mod expr;
+mod motion_table;
 pub mod robot;
 mod robot_file;
 pub mod screws;
 
 pub use dh::{Convention, DhTable};
 pub use expr::Expr;
+pub use motion_table::{MotionTable, MotionValues, ToolPoints};
 pub use robot::{Form, Golden, Robot};
 pub use screws::ScrewTable;

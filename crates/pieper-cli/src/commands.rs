@@ -3,6 +3,7 @@
 mod fk;
 mod info;
 mod robots;
+mod run;
 
 use clap::Subcommand;
 
@@ -17,6 +18,8 @@ pub(crate) enum Command {
     Info(info::Arguments),
     /// Forward kinematics: joint values in, the tool's pose out
     Fk(fk::Arguments),
+    /// Run a motion table: figures, a report, matrices and samples
+    Run(run::Arguments),
 }
 
 impl Command {
@@ -26,6 +29,7 @@ impl Command {
             Self::Robots(arguments) => arguments.run(),
             Self::Info(arguments) => arguments.run(),
             Self::Fk(arguments) => arguments.run(),
+            Self::Run(arguments) => arguments.run(),
         }
     }
 }

@@ -84,17 +84,17 @@ impl MotionTable {
             values: reader.header.layout.no_values(),
         };
         while let Some(row) = reader.row(table.times.last().copied())? {
+            let at_line = |error: Error| error.at(reader.line());
             if table.times.len() == MOST_ROWS {
                 let text = format!("at most {MOST_ROWS} rows were expected");
-                return Err(Error::parse(row.place, "", text));
+                return Err(Error::parse(reader.line(), "", text));
             }
             table.times.push(row.time);
             if let Some(marks) = &mut table.marks {
                 marks.push(row.mark);
             }
-            table
-                .values
-                .push(reader.header.layout, row.values, row.place)?;
+            let layout = reader.header.layout;
+            table.values.push(layout, row.values).map_err(at_line)?;
         }
         if table.times.is_empty() {
             let place = whole(file);
@@ -126,17 +126,17 @@ impl MotionTable {
 }
 
 impl MotionValues {
-    fn push(&mut self, layout: Layout, values: Vec<f64>, place: Place) -> Result<()> {
+    fn push(&mut self, layout: Layout, values: Vec<f64>) -> Result<()> {
         match self {
             Self::Joints(rows) => rows.push(values),
-            Self::Poses(poses) => poses.push(pose(layout, &values, place)?),
-            Self::Points(points) => points.push(tool_points(&values, place)?),
+            Self::Poses(poses) => poses.push(pose(layout, &values)?),
+            Self::Points(points) => points.push(tool_points(&values)?),
         }
         Ok(())
     }
 }
 
-fn pose(layout: Layout, values: &[f64], place: Place) -> Result<Pose> {
+fn pose(layout: Layout, values: &[f64]) -> Result<Pose> {
     let xyz = [values[0], values[1], values[2]];
     if layout == Layout::PoseAngles {
         return Ok(spatial::from_xyz_rpy(
@@ -148,17 +148,17 @@ fn pose(layout: Layout, values: &[f64], place: Place) -> Result<Pose> {
     let length = q.norm();
     if (length - 1.0).abs() > UNIT_TOLERANCE {
         let text = format!("a quaternion of length 1 was expected, its length is {length}");
-        return Err(Error::parse(place, "qw, qx, qy, qz", text));
+        return Err(Error::parse(Place::default(), "qw, qx, qy, qz", text));
     }
     let rotation = UnitQuaternion::new_normalize(q).to_rotation_matrix();
     Ok(Pose::from_parts(Vector3::from(xyz).into(), rotation))
 }
 
-fn tool_points(values: &[f64], place: Place) -> Result<ToolPoints> {
+fn tool_points(values: &[f64]) -> Result<ToolPoints> {
     let point = |k: usize| Vector3::new(values[k], values[k + 1], values[k + 2]);
     let (tip, on_z, beside) = (point(0), point(3), point(6));
     let rotation = spatial::orientation_from_points(&tip, &on_z, &beside)
-        .map_err(|error| Error::parse(place, "", error.to_string()))?;
+        .map_err(|error| Error::parse(Place::default(), "", error.to_string()))?;
     Ok(ToolPoints {
         tip,
         on_z,
@@ -181,7 +181,6 @@ struct Row {
     time: f64,
     mark: String,
     values: Vec<f64>,
-    place: Place,
 }
 
 struct Reader<'a> {
@@ -216,6 +215,15 @@ impl<'a> Reader<'a> {
         Place::of_offset(self.file, self.text, offset)
     }
 
+    /// The line last read.
+    fn line(&self) -> Place {
+        let start = self.cells.first().map_or(0, |cell| cell.start);
+        Place {
+            column: 0,
+            ..self.place(start)
+        }
+    }
+
     fn row(&mut self, before: Option<f64>) -> Result<Option<Row>> {
         if !self.records.read(&mut self.cells)? {
             return Ok(None);
@@ -225,10 +233,6 @@ impl<'a> Reader<'a> {
             time: 0.0,
             mark: String::new(),
             values: vec![0.0; self.header.count],
-            place: Place {
-                column: 0,
-                ..Place::default()
-            },
         };
         for (column, cell) in self.header.columns.iter().zip(&self.cells) {
             match column.kind {
@@ -238,14 +242,6 @@ impl<'a> Reader<'a> {
                     row.values[slot] = unit.to_si(self.number(column, cell)?);
                 }
             }
-        }
-        // Finding a line number reads the text up to it: only rows that can still be wrong pay for it.
-        if self.header.layout != Layout::Joints {
-            let start = self.cells.first().map_or(0, |cell| cell.start);
-            row.place = Place {
-                column: 0,
-                ..self.place(start)
-            };
         }
         Ok(Some(row))
     }

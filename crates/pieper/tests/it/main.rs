@@ -1,5 +1,8 @@
 //! The library's tests: identities, and independent ways to the same numbers.
 
+// Tests may unwrap, and so may their helper functions, which clippy.toml's exception does not reach.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 mod ar3;
 mod bad_robot_files;
 mod batches;
@@ -8,5 +11,7 @@ mod descriptions;
 mod golden;
 mod hot_calls;
 mod measures;
+mod motion;
+mod motion_tables;
 mod orientation;
 mod support;

@@ -14,7 +14,7 @@ use crate::error::Failure;
 
 /// More marks than these are thinned out: their labels would cover what they name.
 const MOST_ARMS: usize = 16;
-const MOST_MOMENTS: usize = 40;
+const MOST_MOMENTS: usize = 24;
 const MOST_PLACES: usize = 24;
 
 /// A figure, the name of its files, and what its caption says.
@@ -49,12 +49,12 @@ pub(super) fn draw(run: &Run, progress: &mut Progress) -> Result<Vec<Drawing>, F
         rates(run),
     )?;
     let caption = format!(
-        "The arm at the reference positions{}, with the frame of its tool and the path of the tool's point.",
+        "The arm at the reference positions{}, with the frame of its tool and the path of the tool’s point.",
         shown(MOST_ARMS)
     );
     add("arm", caption, arm(run))?;
     let caption = format!(
-        "Path of the tool's point in the frame of the base: axonometric view and projections of one scale. \
+        "Path of the tool’s point in the frame of the base: axonometric view and projections of one scale. \
          Dots are the reference positions{}.",
         shown(MOST_PLACES)
     );
@@ -62,7 +62,7 @@ pub(super) fn draw(run: &Run, progress: &mut Progress) -> Result<Vec<Drawing>, F
     for (column, name) in ["i", "j", "k"].into_iter().enumerate() {
         let axis = ["x", "y", "z"][column];
         let caption = format!(
-            "Path of the unit vector {name}, the direction of the tool's {axis} axis, on the unit sphere."
+            "Path of the unit vector {name}, the direction of the tool’s {axis} axis, on the unit sphere."
         );
         add(name, caption, path(run, Some((column, name))))?;
     }
@@ -211,7 +211,7 @@ fn path(run: &Run, axis: Option<(usize, &str)>) -> pieper_plot::Result<Figure> {
     });
     path_views(&PathViews {
         title: match axis {
-            None => title(run, "path of the tool's point"),
+            None => title(run, "path of the tool’s point"),
             Some((_, name)) => title(run, &format!("path of the unit vector {name}")),
         },
         axes: ["x₀".into(), "y₀".into(), "z₀".into()],

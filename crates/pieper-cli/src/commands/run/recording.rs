@@ -79,7 +79,7 @@ impl Recording {
         let mut steps = (0..18).flat_map(|power| [1, 2, 5].map(|step| step * 10_usize.pow(power)));
         let step = steps.find(|step| last.div_ceil(*step) < most).unwrap_or(1);
         let mut kept: Vec<&Mark> = self.marks.iter().step_by(step).collect();
-        if last % step != 0 {
+        if !last.is_multiple_of(step) {
             kept.push(&self.marks[last]);
         }
         kept

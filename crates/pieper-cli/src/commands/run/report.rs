@@ -26,7 +26,7 @@ pub(super) fn html(run: &Run, drawn: &[Drawing]) -> String {
             format!("{} s", names::trimmed(run.recording.duration(), 3)),
         )
         .fact("Reference positions", run.recording.marks.len().to_string())
-        .fact("Between rows", run.law.profile().name())
+        .fact("Profile", run.law.profile().name())
         .fact(
             "Samples",
             format!("{} at {} per second", run.recording.times.len(), run.rate),
@@ -54,10 +54,10 @@ pub(super) fn html(run: &Run, drawn: &[Drawing]) -> String {
     report
         .section(all("Joint values", "", &["joints", "rates"]))
         .section(all("The arm", "", &["arm"]))
-        .section(all("Path of the tool's point", "", &["path"]))
+        .section(all("Path of the tool’s point", "", &["path"]))
         .section(all(
             "Orientation of the tool",
-            "The tool's unit vectors i, j, k move on the unit sphere.",
+            "The tool’s unit vectors i, j, k move on the unit sphere.",
             &["i", "j", "k"],
         ))
         .section(poses(run))
@@ -133,7 +133,7 @@ fn poses(run: &Run) -> Section {
         Matrix::of_numbers(format!("{name}({})", mark.label), note, &rows, 4)
     };
     let text = format!(
-        "Columns n, s, a (the tool's axes) and p (its point, in metres) in the frame of the base.{}",
+        "Columns n, s, a (the tool’s axes) and p (its point, in metres) in the frame of the base.{}",
         thinned(run, marks.len())
     );
     Section::new("Poses at the reference positions")
@@ -148,7 +148,11 @@ fn directions(run: &Run) -> Section {
         .into_iter()
         .flat_map(|unit| axes.map(|axis| format!("{unit}·{axis}")));
     let head = ["Position".to_owned()].into_iter().chain(cosines);
-    let mut table = Table::new("Direction cosines", head);
+    let caption = format!(
+        "Cosines of the angles between the tool’s unit vectors and the axes of the base.{}",
+        thinned(run, marks.len())
+    );
+    let mut table = Table::new(caption, head);
     for mark in &marks {
         let rows = matrices::rows(&run.recording.poses[mark.sample]);
         let cells = [0, 1, 2]
@@ -157,13 +161,7 @@ fn directions(run: &Run) -> Section {
         let cells = cells.map(|cosine| format!("{cosine:.4}"));
         table = table.row([mark.label.clone()].into_iter().chain(cells));
     }
-    let text = format!(
-        "Cosines of the angles between the tool's unit vectors and the axes of the base.{}",
-        thinned(run, marks.len())
-    );
-    Section::new("Direction cosines")
-        .paragraph(text)
-        .table(table)
+    Section::new("Direction cosines").table(table)
 }
 
 fn robot(run: &Run) -> Section {
@@ -178,7 +176,10 @@ fn robot(run: &Run) -> Section {
                     "Denavit-Hartenberg table, modified convention: Rx(α) Tx(a) Rz(θ) Tz(d)."
                 }
             };
-            let table = Table::new("Lengths in metres", ["Row", "θ", "α", "d", "a"]);
+            let table = Table::new(
+                "Metres and radians where no unit is given",
+                ["Row", "θ", "α", "d", "a"],
+            );
             let rows = table_rows(dh).into_iter().enumerate();
             let table = rows.fold(table, |table, (index, [theta, d, a, alpha])| {
                 let cells = [theta, alpha, d, a].map(|text| names::formula(&text));
@@ -197,13 +198,9 @@ fn robot(run: &Run) -> Section {
                 "Screw axes",
                 ["Joint", "axis h", "point p from the one before"],
             );
-            screws
-                .screws
-                .iter()
-                .fold(section, |section, _| section)
-                .table(screws.screws.iter().fold(table, |table, screw| {
-                    table.row([screw.joint.name.clone(), row(&screw.h), row(&screw.p)])
-                }))
+            section.table(screws.screws.iter().fold(table, |table, screw| {
+                table.row([screw.joint.name.clone(), row(&screw.h), row(&screw.p)])
+            }))
         }
         Form::Tree { tree, base, tip } => {
             let (base, tip) = (&tree.links()[*base].name, &tree.links()[*tip].name);
@@ -217,10 +214,31 @@ fn robot(run: &Run) -> Section {
         section = section.paragraph(text);
     }
     section = section.table(joint_table(run));
-    match run.robot.source.is_empty() {
-        true => section,
-        false => section.paragraph(format!("Source. {}", run.robot.source.replace('\n', " "))),
+    for text in source(&run.robot.source) {
+        section = section.paragraph(text);
     }
+    section
+}
+
+/// Where the numbers come from: a paragraph for each line that opens with "Table:", "Limits:" and the like.
+fn source(text: &str) -> Vec<String> {
+    let opens = |line: &str| {
+        let head = line.split_once(": ").map(|(head, _)| head);
+        head.is_some_and(|head| {
+            head.len() < 30 && head.starts_with(char::is_uppercase) && !head.contains('.')
+        })
+    };
+    let mut paragraphs: Vec<String> = Vec::new();
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        match paragraphs.last_mut() {
+            Some(last) if !opens(line) => {
+                last.push(' ');
+                last.push_str(line);
+            }
+            _ => paragraphs.push(line.to_owned()),
+        }
+    }
+    paragraphs
 }
 
 fn parameters(robot: &Robot) -> Option<String> {
@@ -256,8 +274,14 @@ fn joint_table(run: &Run) -> Table {
 fn joint_row(run: &Run, index: usize, variable: &Variable) -> [String; 7] {
     let angular = variable.kind.is_angular();
     let shown = |value: f64, per: &str| match angular {
-        true => format!("{}°{per}", names::trimmed(value.to_degrees(), 2)),
-        false => format!("{} mm{per}", names::trimmed(value * 1000.0, 2)),
+        true => format!(
+            "{}°{per}",
+            names::formula(&names::trimmed(value.to_degrees(), 2))
+        ),
+        false => format!(
+            "{} mm{per}",
+            names::formula(&names::trimmed(value * 1000.0, 2))
+        ),
     };
     let dash = || "\u{2013}".to_owned();
     let values = || run.law.rows().iter().map(|row| row[index]);
@@ -297,7 +321,7 @@ fn samples(run: &Run) -> Section {
     let head = ["t, s".to_owned()].into_iter().chain(joints);
     let head = head.chain(["x₀, mm", "y₀, mm", "z₀, mm"].map(str::to_owned));
     let step = recording.times.len().div_ceil(MOST_ROWS);
-    let mut table = Table::new("Joint values and the tool's point", head);
+    let mut table = Table::new("Joint values and the tool’s point", head);
     for index in (0..recording.times.len()).step_by(step) {
         let joints = run.chain.variables().iter().zip(&recording.joints[index]);
         let joints = joints.map(|(variable, &q)| match variable.kind.is_angular() {

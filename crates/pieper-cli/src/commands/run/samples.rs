@@ -15,14 +15,14 @@ pub(super) fn csv(run: &Run) -> String {
     for (index, time) in recording.times.iter().enumerate() {
         let mark = marks.next_if(|mark| mark.sample == index);
         let label = mark.map_or(String::new(), |mark| cell(&mark.label));
-        let _ = write!(out, "{},{label}", time + 0.0);
+        let _ = write!(out, "{},{label}", number(*time));
         for q in &recording.joints[index] {
-            let _ = write!(out, ",{}", q + 0.0);
+            let _ = write!(out, ",{}", number(*q));
         }
         let rows = matrices::rows(&recording.poses[index]);
         for column in [3, 0, 1, 2] {
             for row in &rows[..3] {
-                let _ = write!(out, ",{}", row[column]);
+                let _ = write!(out, ",{}", number(row[column]));
             }
         }
         out.push('\n');
@@ -30,10 +30,18 @@ pub(super) fn csv(run: &Run) -> String {
     out
 }
 
+/// The shortest digits that read back to the same number, without negative zeros.
+fn number(value: f64) -> String {
+    let value = value + 0.0;
+    match value != 0.0 && value.abs() < 1e-5 {
+        true => format!("{value:e}"),
+        false => value.to_string(),
+    }
+}
+
 /// A text as a cell, in quotes where it needs them.
 fn cell(text: &str) -> String {
-    // A cell in front that begins with # would be a comment; quotes keep it a name.
-    match text.contains([',', '"', '\n', '\r', '#']) {
+    match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),
         false => text.to_owned(),
     }

@@ -310,7 +310,7 @@ def main():
     parser.add_argument("files", nargs="*", type=Path, metavar="FILE")
     args = parser.parse_args()
     failed = False
-    for path in args.files or sorted(Path(__file__).parent.glob("*.toml")):
+    for path in args.files or sorted(path for path in Path(__file__).parent.glob("*.toml") if path.name != "Cargo.toml"):
         try:
             print(write(path) if args.write else check(path))
         except (Wrong, tomllib.TOMLDecodeError, OSError) as error:

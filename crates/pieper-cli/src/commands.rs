@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod convert;
 mod fk;
 mod info;
 mod robots;
@@ -20,6 +21,8 @@ pub(crate) enum Command {
     Fk(fk::Arguments),
     /// Run a motion table: figures, a report, matrices and samples
     Run(run::Arguments),
+    /// Write a robot in another description: table, screws or URDF
+    Convert(convert::Arguments),
 }
 
 impl Command {
@@ -30,6 +33,7 @@ impl Command {
             Self::Info(arguments) => arguments.run(),
             Self::Fk(arguments) => arguments.run(),
             Self::Run(arguments) => arguments.run(),
+            Self::Convert(arguments) => arguments.run(),
         }
     }
 }

@@ -6,6 +6,7 @@
 mod batch;
 mod commands;
 mod error;
+mod files;
 mod json;
 mod output;
 mod source;

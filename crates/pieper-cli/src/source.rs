@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use clap::Args;
-use pieper::describe::{Expr, Robot};
+use pieper::describe::{Expr, Robot, urdf, xacro};
+use pieper::model::Tree;
 
 use crate::error::Failure;
+use crate::files::Files;
 
 /// Files above this size are refused before they are read: no arm's description is that large.
 const MAX_BYTES: u64 = 64 << 20;
@@ -21,6 +23,22 @@ pub(crate) struct Source {
     /// Set a parameter of the robot file, as in --set d1=0.4 --set "a2=350 mm"
     #[arg(long = "set", value_name = "NAME=VALUE", value_delimiter = ',')]
     set: Vec<String>,
+
+    /// URDF: the link the chain starts at (default: the root)
+    #[arg(long, value_name = "LINK", help_heading = "URDF and xacro")]
+    base: Option<String>,
+
+    /// URDF: the link the chain ends at (default: the likeliest tool)
+    #[arg(long, value_name = "LINK", help_heading = "URDF and xacro")]
+    tip: Option<String>,
+
+    /// Where a package lies, as in --package ur_description=../ur_description (repeatable)
+    #[arg(long, value_name = "NAME=FOLDER", help_heading = "URDF and xacro")]
+    package: Vec<String>,
+
+    /// A xacro argument, as in --arg ur_type=ur5e (repeatable)
+    #[arg(long, value_name = "NAME=VALUE", help_heading = "URDF and xacro")]
+    arg: Vec<String>,
 }
 
 impl Source {
@@ -31,15 +49,10 @@ impl Source {
             None => self.read()?,
         };
         let mut values = Vec::new();
-        for setting in &self.set {
-            let Some((name, value)) = setting.split_once('=') else {
-                return Err(Failure::input(format!(
-                    "--set {setting}: NAME=VALUE was expected, as in d1=0.4"
-                )));
-            };
-            let expr = Expr::parse(value.trim())
-                .map_err(|e| Failure::input(format!("--set {setting}: {e}")))?;
-            values.push((name.trim(), expr));
+        for (name, value) in pairs("--set", &self.set)? {
+            let expr = Expr::parse(value);
+            let expr = expr.map_err(|e| Failure::input(format!("--set {name}={value}: {e}")))?;
+            values.push((name, expr));
         }
         Ok(robot.with_parameters(values)?)
     }
@@ -52,13 +65,42 @@ impl Source {
             .unwrap_or_default()
             .to_ascii_lowercase();
         match extension.as_str() {
-            "toml" => Ok(Robot::from_toml(&self.robot, &read_text(path)?)?),
+            "toml" => self.robot_file(path),
+            "urdf" => self.of_tree(urdf::read(&self.robot, &read_text(path)?)?),
+            "xacro" => {
+                let arguments = pairs("--arg", &self.arg)?;
+                let files = Files::new(path, &self.package)?;
+                self.of_tree(xacro::read(
+                    &self.robot,
+                    &read_text(path)?,
+                    &arguments,
+                    &files,
+                )?)
+            }
             _ if path.exists() => Err(Failure::input(format!(
                 "{}: a robot is read from a .toml, .urdf or .xacro file",
                 self.robot
             ))),
             _ => Err(self.unknown()),
         }
+    }
+
+    /// A robot file, which may name a URDF to take a chain out of.
+    fn robot_file(&self, path: &Path) -> Result<Robot, Failure> {
+        let files = Files::new(path, &self.package)?;
+        Ok(Robot::from_toml_with(
+            &self.robot,
+            &read_text(path)?,
+            &files,
+        )?)
+    }
+
+    fn of_tree(&self, tree: Tree) -> Result<Robot, Failure> {
+        Ok(Robot::of_tree(
+            tree,
+            self.base.as_deref(),
+            self.tip.as_deref(),
+        )?)
     }
 
     fn unknown(&self) -> Failure {
@@ -76,6 +118,18 @@ impl Source {
             self.robot
         ))
     }
+}
+
+/// `NAME=VALUE` arguments, taken apart.
+fn pairs<'a>(flag: &str, settings: &'a [String]) -> Result<Vec<(&'a str, &'a str)>, Failure> {
+    let pair = |setting: &'a String| match setting.split_once('=') {
+        // xacro's own command line writes NAME:=VALUE.
+        Some((name, value)) => Ok((name.trim_end_matches(':').trim(), value.trim())),
+        None => Err(Failure::input(format!(
+            "{flag} {setting}: NAME=VALUE was expected"
+        ))),
+    };
+    settings.iter().map(pair).collect()
 }
 
 /// A text file, if it is one and not absurdly large.

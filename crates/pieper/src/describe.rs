@@ -8,6 +8,8 @@ mod motion_table;
 pub mod robot;
 mod robot_file;
 pub mod screws;
+pub mod urdf;
+pub mod xacro;
 
 pub use dh::{Convention, DhTable};
 pub use expr::Expr;

@@ -12,10 +12,12 @@
 mod canonical;
 mod chain;
 mod joint;
+mod shape;
 mod tree;
 
 pub(crate) use canonical::PACK;
 pub use canonical::{Canonical, LinkShape, Row, Rows, Step};
 pub use chain::{Chain, ChainParts};
 pub use joint::{Drive, Joint, JointKind, Limits, Motion, Variable};
-pub use tree::{MeshRef, Tree, TreeJoint, TreeLink};
+pub use shape::{Geometry, Shape};
+pub use tree::{Tree, TreeJoint, TreeLink};

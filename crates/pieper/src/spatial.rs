@@ -66,20 +66,21 @@ pub fn from_xyz_rpy(xyz: [f64; 3], rpy: [f64; 3]) -> Pose {
 
 /// Fixed-axis roll, pitch, yaw of a rotation, `Rz(yaw) Ry(pitch) Rx(roll)`; roll and yaw in (-pi, pi].
 ///
-/// At pitch = +-pi/2 only a sum or difference of roll and yaw is determined; roll is 0 there.
+/// At pitch = +-pi/2 only a sum or difference of roll and yaw is determined; roll is 0 there. Near it the two are hardly
+/// determined one by one, so roll is what is left when yaw is undone: together they give the rotation back to rounding.
 pub fn to_rpy(rotation: &Rotation3<f64>) -> [f64; 3] {
     let m = rotation.matrix();
     let cos_pitch = m[(0, 0)].hypot(m[(1, 0)]);
     let pitch = (-m[(2, 0)]).atan2(cos_pitch);
-    if cos_pitch < GIMBAL_LOCK {
-        let yaw = (-m[(0, 1)]).atan2(m[(1, 1)]);
-        return [0.0, pitch, yaw];
-    }
-    [
-        m[(2, 1)].atan2(m[(2, 2)]),
-        pitch,
-        m[(1, 0)].atan2(m[(0, 0)]),
-    ]
+    let yaw = if cos_pitch < GIMBAL_LOCK {
+        (-m[(0, 1)]).atan2(m[(1, 1)])
+    } else {
+        m[(1, 0)].atan2(m[(0, 0)])
+    };
+    let (sin, cos) = sin_cos_exact(yaw);
+    let roll = (sin * m[(0, 2)] - cos * m[(1, 2)]).atan2(cos * m[(1, 1)] - sin * m[(0, 1)]);
+    // Right angles as such, and no negative zeros.
+    [roll, pitch, yaw].map(|angle| snap(angle) + 0.0)
 }
 
 /// Cosine of pitch below which roll and yaw can no longer be told apart: their entries of the matrix are then

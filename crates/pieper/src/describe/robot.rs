@@ -209,6 +209,26 @@ impl Robot {
         }
     }
 
+    /// A robot out of a tree of links: the chain from `base` to `tip`, by default from the root to the likeliest tip.
+    ///
+    /// # Errors
+    /// An input error if there is no such link, with the names there are, or if `base` does not carry `tip`; a model
+    /// error if nothing moves between them.
+    pub fn of_tree(tree: Tree, base: Option<&str>, tip: Option<&str>) -> Result<Self> {
+        let base = base.map_or(Ok(tree.root()), |name| tree.link_index(name))?;
+        let tip = tip.map_or(Ok(tree.default_tip()), |name| tree.link_index(name))?;
+        tree.chain(base, tip)?;
+        Ok(Self {
+            name: tree.name().to_owned(),
+            summary: String::new(),
+            source: String::new(),
+            datasheet: Vec::new(),
+            parameters: Vec::new(),
+            form: Form::Tree { tree, base, tip },
+            golden: Vec::new(),
+        })
+    }
+
     /// The arm as a chain of numbers.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 mod fields;
 mod joints;
+mod tree;
 mod write;
 
 use toml::de::{DeTable, DeValue};
@@ -10,6 +11,7 @@ use super::dh::{Convention, DhTable};
 use super::expr::Expr;
 use super::robot::{Form, Golden, Parameter, Robot};
 use super::screws::ScrewTable;
+use super::xacro::{NoResources, Resources};
 use crate::error::{Error, Place, Result};
 use crate::spatial;
 use fields::{Field, Table};
@@ -22,6 +24,15 @@ impl Robot {
     /// # Errors
     /// A parse error with file, line and column, the offending text and what was expected.
     pub fn from_toml(file: &str, text: &str) -> Result<Self> {
+        Self::from_toml_with(file, text, &NoResources)
+    }
+
+    /// As [`Robot::from_toml`], for files that may name a URDF or xacro (`urdf = "arm.urdf"`, with `base` and `tip`
+    /// links if the whole is not meant), which `resources` reads. Its path is relative to the robot file.
+    ///
+    /// # Errors
+    /// As [`Robot::from_toml`]; the errors of the URDF; a resource error if it cannot be read.
+    pub fn from_toml_with(file: &str, text: &str, resources: &dyn Resources) -> Result<Self> {
         let document = DeTable::parse(text).map_err(|error| toml_error(file, text, &error))?;
         let root = Table::root(file, text, document.get_ref());
         root.allow_only(&[
@@ -36,10 +47,15 @@ impl Robot {
             "base",
             "tool",
             "golden",
+            "urdf",
+            "tip",
         ])?;
         let parameters = parameters(&root)?;
         let known: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
-        let form = form(&root, &known)?;
+        let form = match root.get("urdf") {
+            Some(field) => tree::form(&root, &field, resources)?,
+            None => form(&root, &known)?,
+        };
         let robot = Self {
             name: root.require("name", "the arm's name")?.string()?.to_owned(),
             summary: root.optional_string("summary")?,
@@ -159,9 +175,8 @@ fn form(root: &Table<'_>, known: &[&str]) -> Result<Form> {
                 .collect::<Result<_>>()?;
             Ok(Form::Screws(ScrewTable { screws, base, tool }))
         }
-        (true, true) => {
-            Err(root.error("a [[joint]] for each row of the table, or [[screws]], was expected"))
-        }
+        (true, true) => Err(root
+            .error("a [[joint]] for each row of the table, [[screws]], or `urdf = ` was expected")),
         (false, false) => Err(root.error("either [[joint]] or [[screws]] was expected, not both")),
     }
 }

@@ -15,41 +15,85 @@ use crate::model::{Canonical, Chain, PACK, Step};
 use crate::scalar::Scalar;
 use crate::spatial::Pose;
 
-/// Joint vectors, joint by joint: value `j` of vector `k` stands at `j * count + k`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JointBatch {
+/// Rows of equal length, each beginning on a cache line: then no register straddles two of them.
+#[derive(Clone, Debug)]
+struct Rows {
     count: usize,
+    stride: usize,
+    /// Where the first row begins; a clone lies elsewhere and is merely slower.
+    start: usize,
     values: Vec<f64>,
+}
+
+/// Doubles on a cache line.
+const LINE: usize = 8;
+
+impl Rows {
+    fn zeros(rows: usize, count: usize) -> Self {
+        let stride = count.next_multiple_of(LINE);
+        let values = vec![0.0; rows * stride + LINE];
+        let start = values.as_ptr().align_offset(LINE * size_of::<f64>());
+        Self {
+            count,
+            stride,
+            start: if start < LINE { start } else { 0 },
+            values,
+        }
+    }
+
+    #[inline(always)]
+    fn row(&self, row: usize) -> &[f64] {
+        &self.values[self.start + row * self.stride..][..self.count]
+    }
+
+    fn row_mut(&mut self, row: usize) -> &mut [f64] {
+        &mut self.values[self.start + row * self.stride..][..self.count]
+    }
+
+    /// All rows at once, to change.
+    fn rows_mut(&mut self) -> impl Iterator<Item = &mut [f64]> {
+        let (count, start) = (self.count, self.start);
+        let rows = self.values[start..].chunks_exact_mut(self.stride.max(1));
+        rows.map(move |row| &mut row[..count])
+    }
+}
+
+/// Joint vectors, joint by joint.
+#[derive(Clone, Debug)]
+pub struct JointBatch {
+    dof: usize,
+    rows: Rows,
 }
 
 impl JointBatch {
     /// Room for `count` vectors of `dof` values, all zero.
     pub fn zeros(dof: usize, count: usize) -> Self {
         Self {
-            count,
-            values: vec![0.0; dof * count],
+            dof,
+            rows: Rows::zeros(dof, count),
         }
     }
 
     /// The number of vectors.
     pub fn count(&self) -> usize {
-        self.count
+        self.rows.count
     }
 
     /// All values of joint `joint`, one for each vector.
+    #[inline(always)]
     pub fn joint(&self, joint: usize) -> &[f64] {
-        &self.values[joint * self.count..(joint + 1) * self.count]
+        self.rows.row(joint)
     }
 
     /// All values of joint `joint`, to change.
     pub fn joint_mut(&mut self, joint: usize) -> &mut [f64] {
-        &mut self.values[joint * self.count..(joint + 1) * self.count]
+        self.rows.row_mut(joint)
     }
 
     /// Sets vector `index`.
     pub fn set(&mut self, index: usize, q: &[f64]) {
         for (joint, &value) in q.iter().enumerate() {
-            self.values[joint * self.count + index] = value;
+            self.joint_mut(joint)[index] = value;
         }
     }
 }
@@ -57,38 +101,34 @@ impl JointBatch {
 /// Entries of a pose's upper three rows.
 const ENTRIES: usize = 12;
 
-/// Poses, entry by entry: the columns n, s, a, p of pose `k`, downwards, stand at `entry * count + k`.
-#[derive(Clone, Debug, PartialEq)]
+/// Poses, entry by entry: columns n, s, a, p, each downwards.
+#[derive(Clone, Debug)]
 pub struct PoseBatch {
-    count: usize,
-    values: Vec<f64>,
+    rows: Rows,
 }
 
 impl PoseBatch {
     /// Room for `count` poses.
     pub fn zeros(count: usize) -> Self {
         Self {
-            count,
-            values: vec![0.0; ENTRIES * count],
+            rows: Rows::zeros(ENTRIES, count),
         }
     }
 
     /// The number of poses.
     pub fn count(&self) -> usize {
-        self.count
+        self.rows.count
     }
 
     /// Entry `row`, `column` of every pose; column 3 is the position.
     pub fn entry(&self, row: usize, column: usize) -> &[f64] {
-        let start = (3 * column + row) * self.count;
-        &self.values[start..start + self.count]
+        self.rows.row(3 * column + row)
     }
 
     /// Pose `index`.
     pub fn get(&self, index: usize) -> Pose {
-        let value = |entry: usize| self.values[entry * self.count + index];
-        let matrix = Matrix3::from_fn(|row, column| value(3 * column + row));
-        let position = Vector3::from_fn(|row, _| value(9 + row));
+        let matrix = Matrix3::from_fn(|row, column| self.entry(row, column)[index]);
+        let position = Vector3::from_fn(|row, _| self.entry(row, 3)[index]);
         Pose::from_parts(position.into(), Rotation3::from_matrix_unchecked(matrix))
     }
 }
@@ -114,12 +154,11 @@ impl PoseBatch {
 /// ```
 pub fn tool_poses(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch) -> Result<()> {
     check_sizes(chain, q, poses)?;
-    let count = q.count;
-    if count == 0 {
+    if q.count() == 0 {
         return Ok(());
     }
-    let mut entries = poses.values.chunks_exact_mut(count);
-    let out: [&mut [f64]; ENTRIES] = std::array::from_fn(|_| entries.next().unwrap_or_default());
+    let mut rows = poses.rows.rows_mut();
+    let out: [&mut [f64]; ENTRIES] = std::array::from_fn(|_| rows.next().unwrap_or_default());
     run(chain.canonical(), q, 0, out)
 }
 
@@ -131,7 +170,7 @@ pub fn tool_poses(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch) -> Resul
 pub fn tool_poses_parallel(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch) -> Result<()> {
     use rayon::prelude::*;
     check_sizes(chain, q, poses)?;
-    let count = q.count;
+    let count = q.count();
     if count == 0 {
         return Ok(());
     }
@@ -140,7 +179,7 @@ pub fn tool_poses_parallel(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch)
     let mut pieces: Vec<[&mut [f64]; ENTRIES]> = (0..count.div_ceil(PIECE))
         .map(|_| std::array::from_fn(|_| Default::default()))
         .collect();
-    for (entry, values) in poses.values.chunks_exact_mut(count).enumerate() {
+    for (entry, values) in poses.rows.rows_mut().take(ENTRIES).enumerate() {
         for (piece, part) in pieces.iter_mut().zip(values.chunks_mut(PIECE)) {
             piece[entry] = part;
         }
@@ -153,18 +192,13 @@ pub fn tool_poses_parallel(chain: &Chain, q: &JointBatch, poses: &mut PoseBatch)
 }
 
 fn check_sizes(chain: &Chain, q: &JointBatch, poses: &PoseBatch) -> Result<()> {
-    if q.values.len() != chain.dof() * q.count {
-        let (given, dof) = (q.values.len() / q.count.max(1), chain.dof());
-        return Err(Error::input(
-            "joint batch",
-            format!("{dof} joints were expected, {given} were given"),
-        ));
+    if q.dof != chain.dof() {
+        let text = format!("{} joints were expected, {} were given", chain.dof(), q.dof);
+        return Err(Error::input("joint batch", text));
     }
-    if poses.count != q.count {
-        let text = format!(
-            "room for {} poses was expected, there is room for {}",
-            q.count, poses.count
-        );
+    if poses.count() != q.count() {
+        let (needed, given) = (q.count(), poses.count());
+        let text = format!("room for {needed} poses was expected, there is room for {given}");
         return Err(Error::input("pose batch", text));
     }
     Ok(())
@@ -214,9 +248,16 @@ impl WithSimd for Batch<'_> {
         let width = S::F64_LANES;
         // A single lane has no fused multiply-add to reduce angles with: the plain way is the faster one there.
         let blocks = if width > 1 { count / width } else { 0 };
+        let zero = Lanes::splat(simd, 0.0);
+        let mut turns = Turns(
+            [Turn {
+                sin: zero,
+                cos: zero,
+            }; PACK],
+        );
         for block in 0..blocks {
             let (from, to) = (start + block * width, block * width);
-            if several(simd, canonical, q, from, &mut out, to) {
+            if several(simd, canonical, q, from, &mut turns, &mut out, to) {
                 continue;
             }
             let bad =
@@ -229,6 +270,10 @@ impl WithSimd for Batch<'_> {
     }
 }
 
+/// Sines and cosines of a pack of steps, where no register straddles two cache lines.
+#[repr(align(64))]
+struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
+
 /// One register's worth of poses, of the vectors from `from` on, written from place `to` on; `false`, and nothing of
 /// use written, if an angle is too large or not finite.
 #[inline(always)]
@@ -237,6 +282,7 @@ fn several<S: Simd>(
     canonical: &Canonical,
     q: &JointBatch,
     from: usize,
+    Turns(turns): &mut Turns<S>,
     out: &mut [&mut [f64]; ENTRIES],
     to: usize,
 ) -> bool {
@@ -252,10 +298,6 @@ fn several<S: Simd>(
     let mut sizes = splat(0.0);
     for steps in canonical.steps.chunks(PACK) {
         // All sines and cosines first: they are independent of one another, the product is one long chain.
-        let mut turns = [Turn {
-            sin: splat(0.0),
-            cos: splat(0.0),
-        }; PACK];
         for (turn, step) in turns.iter_mut().zip(steps) {
             let values = &q.joint(step.drive.variable)[from..from + S::F64_LANES];
             let value = Lanes {

@@ -1,6 +1,6 @@
 //! One pose as fast as it goes: all sines and cosines in one vector call, a column of the frame in one register.
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "avx2"))]
 mod x86;
 
 use super::kernel::{Column, Frame, Turn};
@@ -213,14 +213,13 @@ pub(super) fn tool_pose(
     q: &[f64],
     record: &mut impl Record,
 ) -> Option<Pose> {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if let Some(simd) = pulp::x86::V4::try_new() {
-            return x86::tool_pose(simd, *simd, canonical, q, record);
-        }
-        if let Some(simd) = pulp::x86::V3::try_new() {
-            return x86::tool_pose(simd, simd, canonical, q, record);
-        }
+    #[cfg(all(target_arch = "x86_64", feature = "avx512"))]
+    if let Some(simd) = pulp::x86::V4::try_new() {
+        return x86::tool_pose(simd, *simd, canonical, q, record);
+    }
+    #[cfg(all(target_arch = "x86_64", feature = "avx2"))]
+    if let Some(simd) = pulp::x86::V3::try_new() {
+        return x86::tool_pose(simd, simd, canonical, q, record);
     }
     let displacement = |step: &Step| step.drive.displacement(q);
     if !canonical

@@ -169,16 +169,22 @@ fn check(parts: &ChainParts) -> Result<()> {
     for joint in &parts.joints {
         check_joint(parts, joint)?;
     }
-    for (index, variable) in parts.variables.iter().enumerate() {
-        let drives = |joint: &Joint| joint.motion.drive().is_some_and(|d| d.variable == index);
-        if !parts.joints.iter().any(drives) {
-            return Err(Error::model(
-                format!("variable {}", variable.name),
-                "it drives no joint",
-            ));
-        }
+    let mut driven = vec![false; parts.variables.len()];
+    for drive in parts.joints.iter().filter_map(|joint| joint.motion.drive()) {
+        driven[drive.variable] = true;
     }
-    Ok(())
+    match parts
+        .variables
+        .iter()
+        .zip(driven)
+        .find(|(_, driven)| !driven)
+    {
+        None => Ok(()),
+        Some((variable, _)) => Err(Error::model(
+            format!("variable {}", variable.name),
+            "it drives no joint",
+        )),
+    }
 }
 
 fn check_joint(parts: &ChainParts, joint: &Joint) -> Result<()> {

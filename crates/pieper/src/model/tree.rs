@@ -4,29 +4,17 @@ use nalgebra::UnitVector3;
 
 use super::chain::{Chain, ChainParts};
 use super::joint::{Drive, Joint, Motion, Variable};
+use super::shape::Shape;
 use crate::error::{Error, Result};
 use crate::spatial::Pose;
-
-/// A reference to a link's shape, kept as written: the library reads no files.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshRef {
-    /// From the link's frame to the shape's.
-    pub origin: Pose,
-    /// What the description says: `package://...`, a path, or a URL.
-    pub uri: String,
-    /// Scale along x, y, z.
-    pub scale: [f64; 3],
-    /// Whether the shape is for collision rather than for looks.
-    pub collision: bool,
-}
 
 /// A link of a tree.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TreeLink {
     /// The link's name.
     pub name: String,
-    /// Its meshes.
-    pub meshes: Vec<MeshRef>,
+    /// What it looks like and what it collides with.
+    pub shapes: Vec<Shape>,
 }
 
 /// A joint of a tree.
@@ -49,8 +37,11 @@ pub struct TreeJoint {
 }
 
 /// A tree of links, with one root. Immutable and valid.
+///
+/// Every variable is the displacement of one joint, which has its name; further joints may follow it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tree {
+    name: String,
     links: Vec<TreeLink>,
     joints: Vec<TreeJoint>,
     variables: Vec<Variable>,
@@ -65,12 +56,17 @@ impl Tree {
     /// A tree of these parts, checked.
     ///
     /// # Errors
-    /// A model error: no link, a link carried by two joints, more than one root, a loop.
+    /// A model error: no link, a link carried by two joints, more than one root, a loop, an index out of
+    /// range, a variable that is not the displacement of the joint of its name.
     pub fn new(
         links: Vec<TreeLink>,
         joints: Vec<TreeJoint>,
         variables: Vec<Variable>,
     ) -> Result<Self> {
+        for joint in &joints {
+            check_joint(joint, links.len(), &variables)?;
+        }
+        check_variables(&joints, &variables)?;
         let mut carrier = vec![None; links.len()];
         for (index, joint) in joints.iter().enumerate() {
             if let Some(other) = carrier[joint.child].replace(index) {
@@ -108,6 +104,7 @@ impl Tree {
             return Err(Error::model("robot", "some of its joints form a loop"));
         }
         Ok(Self {
+            name: String::new(),
             links,
             joints,
             variables,
@@ -115,6 +112,18 @@ impl Tree {
             carrier,
             order,
         })
+    }
+
+    /// The same tree under this name.
+    #[must_use]
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+
+    /// The robot's name; empty if it has none.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// The links, in the description's order.
@@ -178,23 +187,56 @@ impl Tree {
 
     /// The tip that a person most likely means: at the end of the path with the most joints that move,
     /// the farthest link there; of several, the one named like a tool, else the first.
+    ///
+    /// Where a path forks into several that move, none by more joints than led there, a gripper begins: its fingers
+    /// are no tips.
     pub fn default_tip(&self) -> usize {
-        let tool_like = |name: &str| {
-            let name = name.to_ascii_lowercase();
-            ["tool", "tcp", "flange", "ee", "end_effector"]
-                .iter()
-                .any(|word| name.contains(word))
-        };
+        let fingers = self.fingers();
+        // For each link that is no finger: moving joints on the way from the root, and all joints.
+        let mut ways = vec![None; self.links.len()];
+        ways[self.root] = Some((0, 0));
+        for &index in &self.order {
+            let joint = &self.joints[index];
+            ways[joint.child] = ways[joint.parent]
+                .filter(|_| !fingers[index])
+                .map(|(moving, all)| (moving + usize::from(self.is_independent(index)), all + 1));
+        }
         let rank = |link: usize| {
-            let path = self.path(self.root, link).unwrap_or_default();
-            let moving = path.iter().filter(|&&j| self.is_independent(j)).count();
-            (moving, tool_like(&self.links[link].name), path.len())
+            let (moving, all) = ways[link]?;
+            Some((moving, is_tool_like(&self.links[link].name), all))
         };
         // `max_by_key` takes the last of equals; reversed, that is the first in the description.
         (0..self.links.len())
             .rev()
             .max_by_key(|&link| rank(link))
             .unwrap_or(self.root)
+    }
+
+    /// For each joint, whether it is the first of a finger.
+    fn fingers(&self) -> Vec<bool> {
+        // Joints that move: on the longest way from a link outwards; first ones of such ways; on the way to it.
+        let mut beyond = vec![0usize; self.links.len()];
+        let mut branches = vec![0usize; self.links.len()];
+        let mut before = vec![0usize; self.links.len()];
+        for &index in self.order.iter().rev() {
+            let joint = &self.joints[index];
+            let (moves, further) = (joint.drive.is_some(), branches[joint.child]);
+            // Fixed joints only hand on what branches behind them.
+            branches[joint.parent] += if moves { 1 } else { further };
+            let outward = beyond[joint.child] + usize::from(moves);
+            beyond[joint.parent] = beyond[joint.parent].max(outward);
+        }
+        let mut fingers = vec![false; self.joints.len()];
+        let mut in_gripper = vec![false; self.links.len()];
+        for &index in &self.order {
+            let joint = &self.joints[index];
+            let (parent, child) = (joint.parent, joint.child);
+            let forks = branches[parent] > 1 && beyond[parent] <= before[parent];
+            in_gripper[child] = joint.drive.is_none() && (in_gripper[parent] || forks);
+            fingers[index] = joint.drive.is_some() && (in_gripper[parent] || forks);
+            before[child] = before[parent] + usize::from(joint.drive.is_some());
+        }
+        fingers
     }
 
     /// Whether a joint moves by a variable of its own rather than following another.
@@ -214,17 +256,16 @@ impl Tree {
     pub fn chain(&self, base: usize, tip: usize) -> Result<Chain> {
         let path = self.path(base, tip)?;
         let mut used: Vec<usize> = Vec::new();
+        // For each of the tree's variables, its place among the chain's.
+        let mut places = vec![None; self.variables.len()];
         let mut joints = Vec::with_capacity(path.len());
         for &index in &path {
             let joint = &self.joints[index];
             let drive = joint.drive.map(|drive| {
-                let variable = used
-                    .iter()
-                    .position(|&v| v == drive.variable)
-                    .unwrap_or_else(|| {
-                        used.push(drive.variable);
-                        used.len() - 1
-                    });
+                let variable = *places[drive.variable].get_or_insert_with(|| {
+                    used.push(drive.variable);
+                    used.len() - 1
+                });
                 Drive { variable, ..drive }
             });
             joints.push(self.chain_joint(joint, drive));
@@ -233,9 +274,8 @@ impl Tree {
             .iter()
             .map(|&variable| self.variables[variable].clone())
             .collect();
-        let (base, tool) = (Pose::identity(), Pose::identity());
         if used.is_empty() {
-            let (from, to) = (&self.links[self.root].name, &self.links[tip].name);
+            let (from, to) = (&self.links[base].name, &self.links[tip].name);
             return Err(Error::model(
                 format!("chain from {from} to {to}"),
                 "no joint of it moves",
@@ -244,8 +284,8 @@ impl Tree {
         Chain::new(ChainParts {
             variables,
             joints,
-            base,
-            tool,
+            base: Pose::identity(),
+            tool: Pose::identity(),
         })
     }
 
@@ -286,6 +326,16 @@ impl Tree {
     }
 }
 
+/// Whether a link's name says that it is where the tool is.
+fn is_tool_like(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    let mut words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    ["tool", "tcp", "flange", "end_effector"]
+        .iter()
+        .any(|word| name.contains(word))
+        || words.any(|word| word == "ee")
+}
+
 fn parents_first(joints: &[TreeJoint], root: usize, links: usize) -> Vec<usize> {
     let mut children = vec![Vec::new(); links];
     for (index, joint) in joints.iter().enumerate() {
@@ -298,4 +348,39 @@ fn parents_first(joints: &[TreeJoint], root: usize, links: usize) -> Vec<usize> 
         open.extend(children[link].iter().map(|&joint| joints[joint].child));
     }
     order
+}
+
+fn check_joint(joint: &TreeJoint, links: usize, variables: &[Variable]) -> Result<()> {
+    let error = |text: &str| Err(Error::model(format!("joint {}", joint.name), text));
+    if joint.parent >= links || joint.child >= links {
+        return error("its parent or child is none of the links");
+    }
+    match (joint.axis, joint.drive) {
+        (None, None) => Ok(()),
+        (Some(_), Some(drive)) if drive.variable >= variables.len() => {
+            error("its variable is none of the tree's")
+        }
+        (Some(_), Some(drive)) if drive.factor.is_finite() && drive.offset.is_finite() => Ok(()),
+        (Some(_), Some(_)) => error("its factor and offset must be finite"),
+        _ => error("an axis and a drive belong together"),
+    }
+}
+
+fn check_variables(joints: &[TreeJoint], variables: &[Variable]) -> Result<()> {
+    let mut owned = vec![false; variables.len()];
+    for joint in joints {
+        let Some(drive) = joint.drive else { continue };
+        let variable = &variables[drive.variable];
+        owned[drive.variable] |= variable.name == joint.name
+            && (drive.factor, drive.offset) == (1.0, 0.0)
+            && variable.kind.is_angular() == joint.turns;
+    }
+    match owned.iter().position(|owned| !owned) {
+        None => Ok(()),
+        Some(index) => {
+            let name = &variables[index].name;
+            let text = "it is not the displacement of a joint of its name";
+            Err(Error::model(format!("variable {name}"), text))
+        }
+    }
 }

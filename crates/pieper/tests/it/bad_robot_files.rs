@@ -19,7 +19,7 @@ fn check_body(body: &str, expected: &str) {
 fn mistakes_are_named_with_their_place() {
     check(
         "",
-        "r.toml: a [[joint]] for each row of the table, or [[screws]], was expected",
+        "r.toml: a [[joint]] for each row of the table, [[screws]], or `urdf = ` was expected",
     );
     check(
         "name = ",

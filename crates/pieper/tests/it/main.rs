@@ -15,3 +15,7 @@ mod motion;
 mod motion_tables;
 mod orientation;
 mod support;
+mod urdf;
+mod urdf_errors;
+mod urdf_xacro;
+mod vectors;

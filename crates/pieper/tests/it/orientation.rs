@@ -52,7 +52,7 @@ fn the_geometric_quaternion_is_the_turn() {
                 std::f64::consts::FRAC_PI_2,
                 std::f64::consts::PI,
                 std::f64::consts::PI - 10.0_f64.powf(exponent),
-                6.28 * random.f64(),
+                6.2 * random.f64(),
             ] {
                 check_turn(&before, &Rotation3::from_axis_angle(&axis, angle));
             }

@@ -10,7 +10,7 @@ use crate::error::{Error, Place, Result};
 
 /// A table of the document.
 pub(super) struct Table<'a> {
-    file: &'a str,
+    pub(super) file: &'a str,
     text: &'a str,
     span: Range<usize>,
     table: &'a DeTable<'a>,

@@ -63,7 +63,7 @@ impl Robot {
             writeln!(out, "\n[datasheet]")?;
             self.datasheet
                 .iter()
-                .try_for_each(|(k, v)| writeln!(out, "{} = {}", quoted(k), quoted(v)))?;
+                .try_for_each(|(k, v)| writeln!(out, "{} = {}", key(k), quoted(v)))?;
         }
         if !self.parameters.is_empty() {
             writeln!(out, "\n[parameters]")?;
@@ -159,9 +159,27 @@ fn list(exprs: &[Expr]) -> String {
     )
 }
 
-/// A TOML basic string.
+/// A key: bare where TOML allows that.
+fn key(text: &str) -> String {
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !text.is_empty() && text.chars().all(is_bare) {
+        text.to_owned()
+    } else {
+        quoted(text)
+    }
+}
+
+/// A TOML string, over several lines if the text has them.
 fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
+    if text.contains('\n') {
+        let escaped = escaped(text).replace("\\n", "\n");
+        return format!("\"\"\"\n{escaped}\"\"\"");
+    }
+    format!("\"{}\"", escaped(text))
+}
+
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
     for character in text.chars() {
         match character {
             '"' | '\\' => out.extend(['\\', character]),
@@ -171,6 +189,5 @@ fn quoted(text: &str) -> String {
             c => out.push(c),
         }
     }
-    out.push('"');
     out
 }

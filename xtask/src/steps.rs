@@ -1,0 +1,103 @@
+//! The steps that need nothing but the Rust toolchain.
+
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+/// Format, lints, tests, doc tests, documentation, and the release build that other checks drive.
+pub(crate) fn workspace() -> bool {
+    let tests: &[&str] = if has_nextest() {
+        &[
+            "nextest",
+            "run",
+            "--workspace",
+            "--all-features",
+            "--no-fail-fast",
+        ]
+    } else {
+        say(
+            "cargo-nextest is not installed (cargo install cargo-nextest): cargo test runs the tests instead, slower",
+        );
+        &[
+            "test",
+            "--workspace",
+            "--all-features",
+            "--lib",
+            "--bins",
+            "--tests",
+            "--examples",
+        ]
+    };
+    cargo("format", &["fmt", "--all", "--check"])
+        && cargo(
+            "lints",
+            &[
+                "clippy",
+                "--workspace",
+                "--all-targets",
+                "--all-features",
+                "--",
+                "-D",
+                "warnings",
+            ],
+        )
+        && cargo("tests", tests)
+        && cargo(
+            "examples in the documentation",
+            &["test", "--workspace", "--all-features", "--doc"],
+        )
+        && documentation()
+        && program()
+}
+
+/// The program, as users build it.
+pub(crate) fn program() -> bool {
+    cargo("program", &["build", "--release"])
+}
+
+fn documentation() -> bool {
+    let arguments = ["doc", "--workspace", "--all-features", "--no-deps"];
+    let mut command = Command::new("cargo");
+    command.args(arguments).env("RUSTDOCFLAGS", "-D warnings");
+    run("documentation", command)
+}
+
+fn has_nextest() -> bool {
+    let mut command = Command::new("cargo");
+    command
+        .args(["nextest", "--version"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+fn cargo(step: &str, arguments: &[&str]) -> bool {
+    let mut command = Command::new("cargo");
+    command.args(arguments);
+    run(step, command)
+}
+
+/// Runs one step and says how it went.
+pub(crate) fn run(step: &str, mut command: Command) -> bool {
+    let shown = format!("{command:?}").replace('"', "");
+    say(&format!("\n=== {step}: {shown}"));
+    let start = Instant::now();
+    let passed = match command.status() {
+        Ok(status) => status.success(),
+        Err(error) => {
+            say(&format!("it could not be started: {error}"));
+            false
+        }
+    };
+    let verdict = if passed { "passed" } else { "FAILED" };
+    say(&format!(
+        "=== {step}: {verdict} in {:.1} s",
+        start.elapsed().as_secs_f64()
+    ));
+    passed
+}
+
+/// A line for whoever watches; without anyone, there is nobody to tell.
+pub(crate) fn say(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{text}");
+}

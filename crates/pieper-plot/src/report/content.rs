@@ -159,7 +159,7 @@ impl Matrix {
         if !self.note.is_empty() {
             let _ = write!(out, "<small>{}</small>", escape(&self.note));
         }
-        out.push_str("</span><span class=\"equals\">=</span><table>");
+        out.push_str("</span><table>");
         for row in &self.rows {
             out.push_str("<tr>");
             for entry in row {

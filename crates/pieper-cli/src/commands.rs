@@ -4,6 +4,7 @@ mod convert;
 mod fk;
 mod info;
 mod robots;
+mod run;
 
 use clap::Subcommand;
 
@@ -18,6 +19,8 @@ pub(crate) enum Command {
     Info(info::Arguments),
     /// Forward kinematics: joint values in, the tool's pose out
     Fk(fk::Arguments),
+    /// Run a motion table: figures, a report, matrices and samples
+    Run(run::Arguments),
     /// Write a robot in another description: table, screws or URDF
     Convert(convert::Arguments),
 }
@@ -29,6 +32,7 @@ impl Command {
             Self::Robots(arguments) => arguments.run(),
             Self::Info(arguments) => arguments.run(),
             Self::Fk(arguments) => arguments.run(),
+            Self::Run(arguments) => arguments.run(),
             Self::Convert(arguments) => arguments.run(),
         }
     }

@@ -31,6 +31,8 @@ Examples:
   pieper robots                                    the built-in robots
   pieper fk ar3 --q 0,45,-30,0,60,0 --deg          where the tool is
   pieper info irb120                               table, limits, reach
+  pieper run ar3 examples/ar3-programme.csv --out out/ar3
+                                                   figures and a report of a motion
 
 ROBOT is a built-in name or a .toml, .urdf or .xacro file.
 Exit codes: 0 done, 1 the answer is no, 2 bad input, 3 the outside world failed.";

@@ -112,7 +112,7 @@ pub struct ArmViews {
 pub fn arm_views(views: &ArmViews) -> Result<Figure> {
     check(views)?;
     let count = views.arms.len();
-    let columns = count.min(4);
+    let columns = columns(count);
     let width = if count == 1 { ALONE } else { WIDTH };
     let stage = Stage::new(views);
     let cell_width = width / columns as f64;
@@ -130,6 +130,15 @@ pub fn arm_views(views: &ArmViews) -> Result<Figure> {
     }
     legend::draw(&mut scene, &legend, borders, cells + 6.0);
     Ok(Figure::new(&views.title, scene))
+}
+
+/// How many pictures stand side by side: as large as they can be without a nearly empty last row.
+fn columns(count: usize) -> usize {
+    match count {
+        0..=4 => count,
+        5 | 6 | 9 => 3,
+        _ => 4,
+    }
 }
 
 fn check(views: &ArmViews) -> Result<()> {

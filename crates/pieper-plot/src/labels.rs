@@ -51,14 +51,27 @@ pub(crate) fn merge(marks: Vec<Tag>) -> Vec<Tag> {
         .collect()
 }
 
-/// "0, 4" and, for three or more numbers in sequence, "3–6".
+/// "0, 4" and, for three or more numbers in sequence, "3–6". A name that comes again is not repeated.
 pub(crate) fn join(labels: &[&str]) -> String {
-    let numbers: Option<Vec<i64>> = labels.iter().map(|label| label.parse().ok()).collect();
+    let mut once: Vec<&str> = Vec::new();
+    for label in labels {
+        if !once.contains(label) {
+            once.push(label);
+        }
+    }
+    // Only what reads the same as a number: "01" is a name.
+    let number = |label: &&str| {
+        label
+            .parse()
+            .ok()
+            .filter(|n: &i64| n.to_string() == **label)
+    };
+    let numbers: Option<Vec<i64>> = once.iter().map(number).collect();
     let Some(numbers) = numbers else {
-        return labels.join(", ");
+        return once.join(", ");
     };
     let mut parts = Vec::new();
-    for run in numbers.chunk_by(|a, b| a + 1 == *b) {
+    for run in numbers.chunk_by(|a, b| a.checked_add(1) == Some(*b)) {
         match run {
             [first, _, .., last] => parts.push(format!("{first}\u{2013}{last}")),
             run => parts.extend(run.iter().map(i64::to_string)),
@@ -138,13 +151,16 @@ mod tests {
 
     #[test]
     fn labels_join_as_people_write_them() {
-        let cases: [(&[&str], &str); 6] = [
+        let cases: [(&[&str], &str); 9] = [
             (&["3"], "3"),
             (&["0", "4"], "0, 4"),
             (&["2", "3"], "2, 3"),
             (&["3", "4", "5", "6"], "3–6"),
             (&["0", "1", "3", "4", "5"], "0, 1, 3–5"),
             (&["pick", "2"], "pick, 2"),
+            (&["above", "pick", "above"], "above, pick"),
+            (&["01", "02"], "01, 02"),
+            (&["9223372036854775807", "8"], "9223372036854775807, 8"),
         ];
         for (labels, expected) in cases {
             assert_eq!(join(labels), expected);

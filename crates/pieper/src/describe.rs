@@ -4,6 +4,7 @@
 
 pub mod dh;
 pub mod expr;
+mod motion_table;
 pub mod robot;
 mod robot_file;
 pub mod screws;
@@ -12,5 +13,6 @@ pub mod xacro;
 
 pub use dh::{Convention, DhTable};
 pub use expr::Expr;
+pub use motion_table::{MotionTable, MotionValues, ToolPoints};
 pub use robot::{Form, Golden, Robot};
 pub use screws::ScrewTable;

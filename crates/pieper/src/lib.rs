@@ -10,6 +10,7 @@ pub mod describe;
 pub mod error;
 pub mod kinematics;
 pub mod model;
+pub mod motion;
 pub mod scalar;
 pub mod spatial;
 

@@ -160,7 +160,7 @@ fn description(robot: &Robot, chain: Option<&Chain>) -> Result<String, Failure> 
 }
 
 /// The rows as written, the joint variable put back in.
-fn table_rows(table: &DhTable) -> Vec<[String; 4]> {
+pub(super) fn table_rows(table: &DhTable) -> Vec<[String; 4]> {
     let entry = |(index, row): (usize, &pieper::describe::dh::DhRow)| {
         let moving = row.moving_entry(index).to_string();
         let (theta, d) = match row.moves {

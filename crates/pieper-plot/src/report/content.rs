@@ -21,6 +21,7 @@ pub struct Section {
 #[derive(Clone, Debug)]
 enum Content {
     Paragraph(String),
+    Warnings(Vec<String>),
     Figure { svg: String, caption: String },
     Matrices(Vec<Matrix>),
     Table(Table),
@@ -39,6 +40,12 @@ impl Section {
     #[must_use]
     pub fn paragraph(self, text: impl Into<String>) -> Self {
         self.with(Content::Paragraph(text.into()))
+    }
+
+    /// Adds a list of warnings, set off from the text.
+    #[must_use]
+    pub fn warnings<S: Into<String>>(self, texts: impl IntoIterator<Item = S>) -> Self {
+        self.with(Content::Warnings(texts.into_iter().map(S::into).collect()))
     }
 
     /// Adds a figure; figures are numbered through the report.
@@ -77,6 +84,13 @@ impl Section {
             match content {
                 Content::Paragraph(text) => {
                     let _ = writeln!(out, "<p>{}</p>", escape(text));
+                }
+                Content::Warnings(texts) => {
+                    out.push_str("<ul class=\"warnings\">\n");
+                    for text in texts {
+                        let _ = writeln!(out, "<li>{}</li>", escape(text));
+                    }
+                    out.push_str("</ul>\n");
                 }
                 Content::Figure { svg, caption } => {
                     *figures += 1;
@@ -145,7 +159,7 @@ impl Matrix {
         if !self.note.is_empty() {
             let _ = write!(out, "<small>{}</small>", escape(&self.note));
         }
-        out.push_str("</span><span class=\"equals\">=</span><table>");
+        out.push_str("</span><table>");
         for row in &self.rows {
             out.push_str("<tr>");
             for entry in row {

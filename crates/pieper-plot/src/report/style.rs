@@ -8,8 +8,10 @@ pub(super) const SWITCH: &str = "<fieldset class=\"switch\"><legend>Theme</legen
 <label><input type=\"radio\" name=\"theme\" value=\"light\"><span>Light</span></label>\
 <label><input type=\"radio\" name=\"theme\" value=\"dark\"><span>Dark</span></label></fieldset>\n";
 
-const LIGHT_PAGE: &str = "--page:#f3f5f7;--line:#d5dae0;--link:#005f96;color-scheme:light;";
-const DARK_PAGE: &str = "--page:#0e1013;--line:#2f353d;--link:#7cc4f0;color-scheme:dark;";
+const LIGHT_PAGE: &str =
+    "--page:#f3f5f7;--line:#d5dae0;--link:#005f96;--warning:#c25700;color-scheme:light;";
+const DARK_PAGE: &str =
+    "--page:#0e1013;--line:#2f353d;--link:#7cc4f0;--warning:#f0a04b;color-scheme:dark;";
 
 /// The whole style sheet.
 pub(super) fn sheet() -> String {

@@ -14,7 +14,7 @@ fn chain(id: &str) -> Chain {
 }
 
 /// n, s, a, p at the paper's seven reference positions, exact.
-const REFERENCE: [[[f64; 3]; 4]; 7] = [
+pub(crate) const REFERENCE: [[[f64; 3]; 4]; 7] = [
     [
         [1., 0., 0.],
         [0., 1., 0.],

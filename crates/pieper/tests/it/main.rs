@@ -11,6 +11,8 @@ mod descriptions;
 mod golden;
 mod hot_calls;
 mod measures;
+mod motion;
+mod motion_tables;
 mod orientation;
 mod support;
 mod urdf;

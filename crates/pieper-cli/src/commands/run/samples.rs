@@ -1,0 +1,48 @@
+//! Every sample as comma-separated values, in digits that read back to the same number.
+
+use std::fmt::Write as _;
+
+use super::{Run, matrices};
+
+/// Column names of the pose: the tool's point, and the direction cosines of its unit vectors.
+const POSE: &str = "x,y,z,ix,iy,iz,jx,jy,jz,kx,ky,kz";
+
+pub(super) fn csv(run: &Run) -> String {
+    let joints: Vec<_> = (1..=run.chain.dof()).map(|k| format!("q{k}")).collect();
+    let mut out = format!("t,mark,{},{POSE}\n", joints.join(","));
+    let recording = &run.recording;
+    let mut marks = recording.marks.iter().peekable();
+    for (index, time) in recording.times.iter().enumerate() {
+        let mark = marks.next_if(|mark| mark.sample == index);
+        let label = mark.map_or(String::new(), |mark| cell(&mark.label));
+        let _ = write!(out, "{},{label}", number(*time));
+        for q in &recording.joints[index] {
+            let _ = write!(out, ",{}", number(*q));
+        }
+        let rows = matrices::rows(&recording.poses[index]);
+        for column in [3, 0, 1, 2] {
+            for row in &rows[..3] {
+                let _ = write!(out, ",{}", number(row[column]));
+            }
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// The shortest digits that read back to the same number, without negative zeros.
+fn number(value: f64) -> String {
+    let value = value + 0.0;
+    match value != 0.0 && value.abs() < 1e-5 {
+        true => format!("{value:e}"),
+        false => value.to_string(),
+    }
+}
+
+/// A text as a cell, in quotes where it needs them.
+fn cell(text: &str) -> String {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
+    }
+}

@@ -1,0 +1,7 @@
+//! The program as its users meet it: commands in, text, files and exit codes out.
+
+// Tests may unwrap, and so may their helper functions, which clippy.toml's exception does not reach.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod run;
+mod support;

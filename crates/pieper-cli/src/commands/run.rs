@@ -32,7 +32,7 @@ use recording::Recording;
 #[command(after_help = "\
 Examples:
   pieper run ar3 examples/ar3-programme.csv --out out/ar3
-  pieper run iiwa7 motion.csv --out out/iiwa --profile quintic --limits
+  pieper run puma560 examples/ar3-programme.csv --out out/puma --profile quintic --limits
 
 MOTION is a table of comma-separated values with a header: the time t in seconds, then the joints as q1, q2, ...
 or by their names (radians and metres; q1_deg for degrees, q3_mm for millimetres). A column mark names reference

@@ -3,5 +3,6 @@
 // Tests may unwrap, and so may their helper functions, which clippy.toml's exception does not reach.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod fk;
 mod run;
 mod support;

@@ -10,7 +10,7 @@ use crate::ink::Ink;
 use crate::legend::{self, Entry};
 use crate::scene::{Form, Rect, Scene, Stroke, Text};
 use crate::ticks::ticks;
-use crate::view::{Camera, Lens, Vec3, add, norm};
+use crate::view::{Camera, Lens, Vec3, add, norm, thinned};
 
 const WIDTH: f64 = 920.0;
 /// The width of a single picture.
@@ -249,7 +249,8 @@ impl Stage {
         let width = self.radius * lens.scale * 1.1;
         scene.polyline(lens.line(&shadow), Stroke::solid(Ink::Shadow, width));
         if views.path.len() > 1 {
-            scene.polyline(lens.line(&views.path), Stroke::solid(Ink::Hidden, 1.4));
+            let path = thinned(&lens.line(&views.path));
+            scene.polyline(path, Stroke::solid(Ink::Hidden, 1.4));
         }
         body::draw(scene, &lens, arm, self.radius);
         label(scene, arm, cell);

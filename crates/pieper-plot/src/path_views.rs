@@ -11,7 +11,7 @@ use crate::legend::{self, Entry};
 use crate::scene::{Point, Rect, Scene, Stroke, Text};
 use crate::sphere;
 use crate::ticks::{Ticks, level_ticks, ticks};
-use crate::view::{Camera, Lens, Room, Vec3, corners};
+use crate::view::{Camera, Lens, Room, Vec3, corners, thinned};
 
 const WIDTH: f64 = 920.0;
 const RIGHT: f64 = 16.0;
@@ -390,21 +390,6 @@ fn bounds(views: &PathViews) -> [[f64; 2]; 3] {
 fn panel_name(scene: &mut Scene, area: &Rect, name: &str) {
     let at = [area.left, area.top - 10.0];
     scene.text(Text::new(at, name, NORMAL).bold());
-}
-
-/// Leaves out points that no eye can tell from their neighbours; a resting path is one point.
-fn thinned(points: &[Point]) -> Vec<Point> {
-    let mut kept: Vec<Point> = Vec::new();
-    for &point in points {
-        let far = |last: &Point| (point[0] - last[0]).hypot(point[1] - last[1]) > 0.4;
-        if kept.last().is_none_or(far) {
-            kept.push(point);
-        }
-    }
-    if let (true, Some(last), Some(end)) = (kept.len() > 1, kept.last_mut(), points.last()) {
-        *last = *end;
-    }
-    kept
 }
 
 /// Where along the path the marks are, in the path's order. Repeated places are found in turn.

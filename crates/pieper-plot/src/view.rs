@@ -236,3 +236,18 @@ impl Room<'_> {
         scene.text(Text::centered(center, self.names[axis], NORMAL));
     }
 }
+
+/// Leaves out points that no eye can tell from their neighbours; a resting path is one point.
+pub(crate) fn thinned(points: &[Point]) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    for &point in points {
+        let far = |last: &Point| (point[0] - last[0]).hypot(point[1] - last[1]) > 0.4;
+        if kept.last().is_none_or(far) {
+            kept.push(point);
+        }
+    }
+    if let (true, Some(last), Some(end)) = (kept.len() > 1, kept.last_mut(), points.last()) {
+        *last = *end;
+    }
+    kept
+}

@@ -11,6 +11,9 @@ const LONG: usize = 14;
 /// How many rows of a long table are shown.
 const SHOWN: usize = 6;
 
+/// Matrices of at most so many characters in a row stand three abreast, wider ones two.
+const NARROW: usize = 20;
+
 /// A section of a report: a heading and its content, in the order it was added.
 #[derive(Clone, Debug)]
 pub struct Section {
@@ -101,7 +104,11 @@ impl Section {
                     );
                 }
                 Content::Matrices(matrices) => {
-                    out.push_str("<div class=\"matrices\">\n");
+                    let class = match matrices.iter().any(|matrix| matrix.width() > NARROW) {
+                        true => "matrices general",
+                        false => "matrices",
+                    };
+                    let _ = writeln!(out, "<div class=\"{class}\">");
                     matrices.iter().for_each(|matrix| matrix.write(out));
                     out.push_str("</div>\n");
                 }
@@ -148,6 +155,19 @@ impl Matrix {
         };
         let rows = rows.iter().map(|row| row.iter().map(write).collect());
         Self::new(name, note, rows.collect())
+    }
+
+    /// The characters in a row, every column as wide as its widest entry.
+    fn width(&self) -> usize {
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let widest = |column: usize| {
+            let entries = self.rows.iter().filter_map(|row| row.get(column));
+            entries
+                .map(|entry| entry.chars().count())
+                .max()
+                .unwrap_or(0)
+        };
+        (0..columns).map(widest).sum()
     }
 
     fn write(&self, out: &mut String) {

@@ -176,10 +176,7 @@ fn robot(run: &Run) -> Section {
                     "Denavit-Hartenberg table, modified convention: Rx(α) Tx(a) Rz(θ) Tz(d)."
                 }
             };
-            let table = Table::new(
-                "Metres and radians where no unit is given",
-                ["Row", "θ", "α", "d", "a"],
-            );
+            let table = Table::new("In metres and radians", ["Row", "θ", "α", "d", "a"]);
             let rows = table_rows(dh).into_iter().enumerate();
             let table = rows.fold(table, |table, (index, [theta, d, a, alpha])| {
                 let cells = [theta, alpha, d, a].map(|text| names::formula(&text));

@@ -1,9 +1,11 @@
 #!/bin/sh
-# Fills the corpora from the tests' data: every description, every case of xacro, every expression; a few motion tables.
+# Fills the corpora from the tests' data: every description, every case of xacro, every expression; the built-in
+# robots; a few motion tables.
 set -eu
 cd "$(dirname "$0")"
 data=../crates/pieper/tests/data
-mkdir -p corpus/urdf corpus/xacro corpus/motion_table
+mkdir -p corpus/urdf corpus/xacro corpus/motion_table corpus/robot_file
+cp ../robots/*.toml corpus/robot_file/
 cp "$data"/*.urdf corpus/urdf/
 cp "$data"/*.urdf "$data"/*.xacro corpus/xacro/
 awk '

@@ -34,8 +34,8 @@ Examples:
   pieper run ar3 examples/ar3-programme.csv --out out/ar3
   pieper run puma560 examples/ar3-programme.csv --out out/puma --profile quintic --limits
 
-MOTION is a table of comma-separated values with a header: the time t in seconds, then the joints as q1, q2, ...
-or by their names (radians and metres; q1_deg for degrees, q3_mm for millimetres). A column mark names reference
+MOTION is a table of comma-separated values with a header: the time t in seconds, then the joints as q1, q2, ... \
+or by their names (radians and metres; q1_deg for degrees, q3_mm for millimetres). A column mark names reference \
 positions; without it every row is one.")]
 pub(crate) struct Arguments {
     #[command(flatten)]

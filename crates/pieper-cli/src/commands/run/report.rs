@@ -65,7 +65,7 @@ pub(super) fn html(run: &Run, drawn: &[Drawing]) -> String {
         .section(robot(run))
         .section(samples(run))
         .footer(format!(
-            "Written by pieper {} from {} and the table of {}. Figures, matrices and all samples lie beside this page as files.",
+            "Written by pieper {} from {} and the description of {}. Figures, matrices and all samples lie beside this page as files.",
             env!("CARGO_PKG_VERSION"),
             run.motion,
             run.robot.name

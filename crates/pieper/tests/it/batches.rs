@@ -80,3 +80,22 @@ fn large_angles_take_the_long_way_and_what_is_not_finite_is_named() {
     assert!(tool_poses(&chain, &JointBatch::zeros(5, 20), &mut poses).is_err());
     assert!(tool_poses(&chain, &JointBatch::zeros(6, 21), &mut poses).is_err());
 }
+
+#[cfg(feature = "rayon")]
+#[test]
+fn over_all_cores_the_poses_are_the_same_to_the_last_bit() {
+    use pieper::kinematics::batch::tool_poses_parallel;
+    let (_, chain) = arms().next().unwrap();
+    let mut random = fastrand::Rng::with_seed(2);
+    // Several pieces and a ragged end.
+    let count = 3 * 4096 + 5;
+    let mut batch = JointBatch::zeros(6, count);
+    (0..count).for_each(|index| batch.set(index, &random_joints(&chain, &mut random)));
+    let (mut one, mut all) = (PoseBatch::zeros(count), PoseBatch::zeros(count));
+    tool_poses(&chain, &batch, &mut one).unwrap();
+    tool_poses_parallel(&chain, &batch, &mut all).unwrap();
+    assert!((0..count).all(|index| one.get(index) == all.get(index)));
+    batch.set(9000, &[f64::NAN; 6]);
+    let error = tool_poses_parallel(&chain, &batch, &mut all).unwrap_err();
+    assert!(error.to_string().contains("joint vector 9000"), "{error}");
+}

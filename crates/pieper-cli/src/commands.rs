@@ -2,6 +2,7 @@
 
 mod convert;
 mod fk;
+mod ik;
 mod info;
 mod robots;
 
@@ -20,6 +21,8 @@ pub(crate) enum Command {
     Fk(fk::Arguments),
     /// Write a robot in another description: table, screws or URDF
     Convert(convert::Arguments),
+    /// Inverse kinematics: a pose in, every solution out
+    Ik(ik::Arguments),
 }
 
 impl Command {
@@ -30,6 +33,7 @@ impl Command {
             Self::Info(arguments) => arguments.run(),
             Self::Fk(arguments) => arguments.run(),
             Self::Convert(arguments) => arguments.run(),
+            Self::Ik(arguments) => arguments.run(),
         }
     }
 }

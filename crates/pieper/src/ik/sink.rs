@@ -1,0 +1,363 @@
+//! Where rows put their proposals: everything is verified here, on the true model.
+
+use super::arm::{Arm, residuals};
+use super::curve;
+use super::descent::{self, newton};
+use super::pending::Pending;
+use super::reason::{Part, Shortfall};
+use super::solutions::{
+    Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
+};
+use super::{MAX_JOINTS, TOLERANCES};
+use crate::kinematics::batch::GROUP;
+use crate::spatial::Pose;
+
+/// What a row knows about a proposal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Marks {
+    /// How many roots the proposal stands for.
+    pub multiplicity: u8,
+    /// Other proposals may be the same root, split by rounding.
+    pub edge: bool,
+    /// Some displacement is undetermined: there may be a family through it.
+    pub free: bool,
+}
+
+impl Marks {
+    /// One root, away from others.
+    pub const PLAIN: Self = Self {
+        multiplicity: 1,
+        edge: false,
+        free: false,
+    };
+}
+
+/// Starts of the search of last resort.
+const RESCUE_STARTS: usize = 40;
+
+/// Collects a row's proposals: verifies them on the true model, refines what misses by a hair, merges roots that
+/// coincide and recognises families.
+#[derive(Debug)]
+pub struct Sink<'a> {
+    arm: &'a Arm,
+    pose: &'a Pose,
+    slack: f64,
+    out: &'a mut Solutions,
+    shortfall: Option<Shortfall>,
+    rejected: bool,
+    pending: Pending,
+}
+
+impl<'a> Sink<'a> {
+    pub(super) fn new(arm: &'a Arm, pose: &'a Pose, slack: f64, out: &'a mut Solutions) -> Self {
+        out.clear();
+        Self {
+            arm,
+            pose,
+            slack,
+            out,
+            shortfall: None,
+            rejected: false,
+            pending: Pending::new(),
+        }
+    }
+
+    /// The arm.
+    pub fn arm(&self) -> &'a Arm {
+        self.arm
+    }
+
+    /// The wanted pose of the tool, in the world.
+    pub fn pose(&self) -> &'a Pose {
+        self.pose
+    }
+
+    /// How far the arm misses the class that its row solves, relative: 0 for none. Where a row must decide whether a
+    /// root exists, it gives this much the benefit of the doubt.
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// The number of isolated solutions so far.
+    pub fn found(&self) -> usize {
+        self.out.len
+    }
+
+    /// Says that a branch does not exist, and how far it is from existing.
+    pub fn fail(&mut self, part: Part, amount: f64) {
+        if amount > 0.0 && self.shortfall.is_none_or(|least| amount < least.amount) {
+            self.shortfall = Some(Shortfall { part, amount });
+        }
+    }
+
+    /// Proposes displacements, one for each step of an arm whose joints have variables of their own.
+    #[inline]
+    pub fn push(&mut self, displacements: &[f64], branch: Branch, marks: Marks) {
+        let q = self.arm.joint_vector(displacements);
+        self.push_joints(q, branch, marks);
+    }
+
+    /// Proposes displacements by sine and cosine (up to a common positive factor) of each step that turns, value and
+    /// 0 of each that slides. The fast way: eight proposals are turned into angles and verified at once.
+    #[inline]
+    pub fn push_turns(&mut self, turns: &[(f64, f64)], branch: Branch, marks: Marks) {
+        if !self.arm.is_plain() {
+            let mut all = [0.0; MAX_JOINTS];
+            for ((value, &(sin, cos)), &turns) in all.iter_mut().zip(turns).zip(self.arm.turns()) {
+                *value = if turns { sin.atan2(cos) } else { sin };
+            }
+            return self.push(&all[..turns.len()], branch, marks);
+        }
+        self.pending.push(turns, branch, marks);
+        if self.pending.len == GROUP {
+            self.flush();
+        }
+    }
+
+    /// Verifies what is pending.
+    fn flush(&mut self) {
+        let count = std::mem::take(&mut self.pending.len);
+        if count == 0 {
+            return;
+        }
+        let measured = self.pending.measure(self.arm, self.pose);
+        let dof = self.arm.chain().dof();
+        let limit = TOLERANCES.rounding;
+        for lane in 0..count {
+            let (branch, marks) = self.pending.names[lane];
+            let q = measured.q(lane, dof);
+            let plain = !marks.free && !marks.edge && self.slack == 0.0 && dof <= 6;
+            match &measured.misses {
+                Some([turn, shift])
+                    if plain && turn[lane] <= limit && shift[lane] <= limit * self.arm.extent() =>
+                {
+                    let residual = turn[lane].max(shift[lane]);
+                    let solution = self.solution(q, residual, branch, marks);
+                    self.insert(&solution);
+                }
+                _ => {
+                    self.push_verified(q, branch, marks);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn solution(&self, q: JointVector, residual: f64, branch: Branch, marks: Marks) -> Solution {
+        Solution {
+            q,
+            dof: self.arm.chain().dof() as u8,
+            residual,
+            branch,
+            multiplicity: marks.multiplicity,
+            within_limits: super::limits::within(self.arm.chain(), &q),
+        }
+    }
+
+    /// Proposes a joint vector. True if it was a new isolated solution.
+    #[inline]
+    pub fn push_joints(&mut self, q: JointVector, branch: Branch, marks: Marks) -> bool {
+        // In the order of the proposals.
+        self.flush();
+        self.push_verified(q, branch, marks)
+    }
+
+    fn push_verified(&mut self, mut q: JointVector, branch: Branch, marks: Marks) -> bool {
+        let extent = self.arm.extent();
+        let (mut turn, mut shift) = residuals(&self.arm.pose(&q), self.pose);
+        let mut refined = false;
+        let rough = |turn: f64, shift: f64, limit: f64| !(turn <= limit && shift <= limit * extent);
+        if rough(turn, shift, TOLERANCES.rounding) {
+            let start = q;
+            (q, _) = newton(self.arm, &start, self.pose, None);
+            (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
+            if self.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
+                // Near a singularity Newton's steps overshoot; damped ones do not.
+                let near = descent::damped(self.arm, &start, self.pose, false);
+                (q, _) = newton(self.arm, &near.q, self.pose, None);
+            }
+            self.arm.wrap(&mut q);
+            (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
+            refined = true;
+        }
+        if rough(turn, shift, TOLERANCES.closes) {
+            self.rejected = true;
+            return false;
+        }
+        let solution = self.solution(q, turn.max(shift), branch, marks);
+        if self.arm.chain().dof() > 6 {
+            return self.add_redundant(&solution);
+        }
+        if marks.free && self.add_family(&solution) {
+            return false;
+        }
+        if (marks.edge || refined || self.slack > 0.0) && self.merge(&solution, refined) {
+            return false;
+        }
+        self.insert(&solution)
+    }
+
+    #[inline]
+    fn insert(&mut self, solution: &Solution) -> bool {
+        if self.out.len == MAX_SOLUTIONS {
+            return false;
+        }
+        self.out.list[self.out.len] = *solution;
+        self.out.len += 1;
+        true
+    }
+
+    /// The largest difference of two joint vectors, angles modulo whole turns.
+    fn distance(&self, a: &JointVector, b: &JointVector) -> f64 {
+        descent::largest(&curve::difference(self.arm, a, b))
+    }
+
+    /// Whether the solution is one that is listed already; if so, that one takes it in.
+    fn merge(&mut self, solution: &Solution, refined: bool) -> bool {
+        for index in 0..self.out.len {
+            let listed = self.out.list[index];
+            let distance = self.distance(&listed.q, &solution.q);
+            if distance > TOLERANCES.near {
+                continue;
+            }
+            if refined && distance < TOLERANCES.same {
+                return true;
+            }
+            if let Some((middle, residual)) = self.common(&listed.q, &solution.q, distance) {
+                let kept = &mut self.out.list[index];
+                kept.q = middle;
+                kept.residual = residual;
+                kept.multiplicity = kept.multiplicity.saturating_add(solution.multiplicity);
+                kept.within_limits = super::limits::within(self.arm.chain(), &middle);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// A root between two roots that are so close that rounding cannot tell them apart, and its residual.
+    #[cold]
+    fn common(
+        &self,
+        a: &JointVector,
+        b: &JointVector,
+        distance: f64,
+    ) -> Option<(JointVector, f64)> {
+        let mut middle = *a;
+        let step = curve::difference(self.arm, a, b);
+        for (j, value) in middle.iter_mut().enumerate().take(self.arm.chain().dof()) {
+            *value += 0.5 * step[j] * self.arm.unit(j);
+        }
+        // The line between two points of a curved valley leaves its floor: Newton's method leads back to it.
+        for improve in [false, true] {
+            if improve {
+                (middle, _) = newton(self.arm, &middle, self.pose, None);
+            }
+            self.arm.wrap(&mut middle);
+            let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);
+            let limit = TOLERANCES.rounding;
+            let between = [a, b]
+                .iter()
+                .all(|end| self.distance(end, &middle) < 0.9 * distance);
+            if (between || distance < TOLERANCES.same)
+                && turn <= limit
+                && shift <= limit * self.arm.extent()
+            {
+                return Some((middle, turn.max(shift)));
+            }
+        }
+        None
+    }
+
+    /// Adds the family through a solution, if there is one; true also if it is listed already.
+    #[cold]
+    fn add_family(&mut self, solution: &Solution) -> bool {
+        let Some(free) = curve::grows(self.arm, &solution.q, self.pose) else {
+            return false;
+        };
+        for family in &self.out.families[..self.out.family_count] {
+            if curve::passes(
+                self.arm,
+                &family.member,
+                &family.free,
+                self.pose,
+                &solution.q,
+            ) {
+                return true;
+            }
+        }
+        self.push_family(solution, free);
+        true
+    }
+
+    fn add_redundant(&mut self, solution: &Solution) -> bool {
+        for index in 0..self.out.family_count {
+            let member = self.out.families[index].member;
+            if self.distance(&member, &solution.q) < TOLERANCES.near {
+                return false;
+            }
+        }
+        let (free, _) = curve::tangent(self.arm, &solution.q);
+        self.push_family(solution, free);
+        true
+    }
+
+    fn push_family(&mut self, solution: &Solution, free: [f64; MAX_JOINTS]) {
+        if self.out.family_count < MAX_FAMILIES {
+            self.out.families[self.out.family_count] = Family {
+                member: solution.q,
+                free,
+                dof: solution.dof,
+                residual: solution.residual,
+                branch: solution.branch,
+            };
+            self.out.family_count += 1;
+        }
+    }
+
+    /// Roots by search, where the arm misses its class and none of the class's roots led to one: near several
+    /// singularities at once a hair of a miss moves roots far.
+    #[cold]
+    fn rescue(&mut self) {
+        for index in 0..RESCUE_STARTS {
+            let start = super::numeric::start(self.arm, index);
+            let mut found = descent::damped(self.arm, &start, self.pose, false);
+            self.arm.wrap(&mut found.q);
+            if found.error < TOLERANCES.class {
+                let marks = Marks {
+                    edge: true,
+                    ..Marks::PLAIN
+                };
+                let branch = Branch {
+                    root: self.out.len as u8 + 1,
+                    ..Branch::default()
+                };
+                self.push_joints(found.q, branch, marks);
+            }
+        }
+    }
+
+    /// Draws the conclusion.
+    pub(super) fn finish(mut self) {
+        self.flush();
+        if self.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
+            self.rescue();
+        }
+        let out = self.out;
+        out.status = match (out.family_count, out.len) {
+            (0, 0) => Status::Unreachable,
+            (0, _) => Status::Solved,
+            _ if self.arm.chain().dof() > 6 => Status::Redundant,
+            _ => Status::Singular,
+        };
+        if out.status == Status::Unreachable {
+            out.reason = self.shortfall;
+            if self.rejected && out.reason.is_none() {
+                out.reason = Some(Shortfall {
+                    part: Part::NoneCloses,
+                    amount: f64::NAN,
+                });
+            }
+        }
+    }
+}

@@ -55,15 +55,7 @@ struct AxisVelocity {
 
 impl Record for Axes {
     fn axis<C: SpaceColumn>(&mut self, step: &Step, frame: &Frame<C>) {
-        let (z, o) = (
-            Vector3::from(frame.z.store()) * step.drive.factor,
-            Vector3::from(frame.p.store()),
-        );
-        let (v, w) = if step.turns {
-            (o.cross(&z), z)
-        } else {
-            (z, Vector3::zeros())
-        };
+        let (v, w) = single::moment(step, frame);
         self.0.push(AxisVelocity {
             variable: step.drive.variable,
             v,

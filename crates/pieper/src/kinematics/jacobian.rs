@@ -128,15 +128,7 @@ struct Moments<'a> {
 
 impl Record for Moments<'_> {
     fn axis<C: SpaceColumn>(&mut self, step: &Step, frame: &Frame<C>) {
-        let (z, o) = (
-            Vector3::from(frame.z.store()) * step.drive.factor,
-            Vector3::from(frame.p.store()),
-        );
-        let (v, w) = if step.turns {
-            (o.cross(&z), z)
-        } else {
-            (z, Vector3::zeros())
-        };
+        let (v, w) = single::moment(step, frame);
         let column = &mut self.columns[step.drive.variable];
         for i in 0..3 {
             column[i] += v[i];

@@ -3,6 +3,8 @@
 #[cfg(all(target_arch = "x86_64", feature = "avx2"))]
 mod x86;
 
+use nalgebra::Vector3;
+
 use super::kernel::{Column, Frame, Turn};
 use crate::error::Result;
 use crate::model::{Canonical, Chain, LinkShape, Step};
@@ -189,6 +191,20 @@ impl SpaceColumn for [f64; 3] {
     fn store(&self) -> [f64; 3] {
         *self
     }
+}
+
+/// The velocity that a step's variable gives the base's origin, at rate 1, and its angular velocity.
+///
+/// Adds up over several steps of one variable; at another point p it is `v + omega x p`.
+pub(super) fn moment<C: SpaceColumn>(
+    step: &Step,
+    frame: &Frame<C>,
+) -> (Vector3<f64>, Vector3<f64>) {
+    let z = Vector3::from(frame.z.store()) * step.drive.factor;
+    if !step.turns {
+        return (z, Vector3::zeros());
+    }
+    (Vector3::from(frame.p.store()).cross(&z), z)
 }
 
 /// What a caller wants of the frames along the chain.

@@ -123,7 +123,7 @@ pub(super) fn base_frame(pose: &Pose) -> Frame<[f64; 3]> {
 /// A frame in plain numbers as a pose.
 #[inline(always)]
 pub(super) fn pose_of(frame: &Frame<[f64; 3]>) -> Pose {
-    let columns = [frame.x, frame.y, frame.z].map(nalgebra::Vector3::from);
+    let columns = [frame.x, frame.y, frame.z].map(Vector3::from);
     let matrix = nalgebra::Matrix3::from_columns(&columns);
     let rotation = nalgebra::Rotation3::from_matrix_unchecked(matrix);
     Pose::from_parts(frame.p.into(), rotation)

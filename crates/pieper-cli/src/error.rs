@@ -4,8 +4,6 @@ use std::fmt::Display;
 use std::io;
 use std::process::ExitCode;
 
-use crate::output;
-
 /// A command's result that is no error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
@@ -52,18 +50,12 @@ impl Failure {
         }
     }
 
-    /// Says it and gives the exit code.
-    pub(crate) fn report(self) -> ExitCode {
+    /// The exit code, and what to say; nothing where nobody is left to tell.
+    pub(crate) fn verdict(&self) -> (ExitCode, Option<&str>) {
         match self {
-            Self::ClosedPipe => ExitCode::SUCCESS,
-            Self::Input(text) => {
-                output::error(&text);
-                ExitCode::from(2)
-            }
-            Self::World(text) => {
-                output::error(&text);
-                ExitCode::from(3)
-            }
+            Self::ClosedPipe => (ExitCode::SUCCESS, None),
+            Self::Input(text) => (ExitCode::from(2), Some(text)),
+            Self::World(text) => (ExitCode::from(3), Some(text)),
         }
     }
 }

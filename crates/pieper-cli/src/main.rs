@@ -41,6 +41,10 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     match cli.command.run() {
         Ok(outcome) => outcome.into(),
-        Err(error) => error.report(),
+        Err(failure) => {
+            let (code, text) = failure.verdict();
+            text.into_iter().for_each(output::error);
+            code
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 mod convert;
 mod fk;
+mod ik;
 mod info;
 mod robots;
 mod run;
@@ -23,6 +24,8 @@ pub(crate) enum Command {
     Run(run::Arguments),
     /// Write a robot in another description: table, screws or URDF
     Convert(convert::Arguments),
+    /// Inverse kinematics: a pose in, every solution out
+    Ik(ik::Arguments),
 }
 
 impl Command {
@@ -34,6 +37,7 @@ impl Command {
             Self::Fk(arguments) => arguments.run(),
             Self::Run(arguments) => arguments.run(),
             Self::Convert(arguments) => arguments.run(),
+            Self::Ik(arguments) => arguments.run(),
         }
     }
 }

@@ -74,6 +74,7 @@ fn document(robot: &Robot, chain: Option<&Chain>) -> Result<Value, Failure> {
         "from_base": finite(reach.from_base),
         "at": reach.farthest,
     });
+    document["family"] = super::ik::family_document(chain);
     Ok(document)
 }
 
@@ -257,5 +258,6 @@ fn chain_text(chain: &Chain) -> Result<String, Failure> {
         metres(reach.from_first_axis),
         metres(reach.from_base)
     );
+    out.push_str(&super::ik::family_text(chain));
     Ok(out)
 }

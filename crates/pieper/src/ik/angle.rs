@@ -1,0 +1,130 @@
+//! Angles as solvers need them.
+
+use std::f64::consts::{PI, TAU};
+
+/// An angle in (-pi, pi]; what differs from -pi by rounding alone is pi.
+#[inline]
+pub(super) fn wrap(angle: f64) -> f64 {
+    let wrapped = if angle.abs() <= PI {
+        angle
+    } else {
+        angle - TAU * (angle / TAU).round()
+    };
+    if wrapped <= -PI + 4.0 * f64::EPSILON {
+        PI
+    } else {
+        wrapped
+    }
+}
+
+/// The angle that turns the plane vector `from` onto the direction of `to`.
+#[inline]
+pub(super) fn between(from: [f64; 2], to: [f64; 2]) -> f64 {
+    let cross = from[0] * to[1] - from[1] * to[0];
+    let dot = from[0] * to[0] + from[1] * to[1];
+    cross.atan2(dot)
+}
+
+/// `v` turned by the angle with this sine and cosine.
+#[inline]
+pub(super) fn turned(v: [f64; 2], (sin, cos): (f64, f64)) -> [f64; 2] {
+    [cos * v[0] - sin * v[1], sin * v[0] + cos * v[1]]
+}
+
+/// Roots of `square = x^2` around zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Roots {
+    /// `+x` and `-x`; one of them where both are zero.
+    pub(super) values: [f64; 2],
+    pub(super) len: usize,
+    /// The two are so close that rounding may have split or merged them.
+    pub(super) edge: bool,
+}
+
+impl Roots {
+    /// Both roots of a dimensionless square; none if it is clearly negative.
+    ///
+    /// `slack` is how far the arm misses its class: a square that is negative by less may be positive on the true
+    /// model, so two starts are given for Newton's method to separate.
+    #[inline]
+    pub(super) fn of(square: f64, slack: f64) -> Self {
+        let none = Self {
+            values: [0.0; 2],
+            len: 0,
+            edge: true,
+        };
+        let allowed = super::TOLERANCES.boundary.max(SLACK_REACH * slack);
+        if square > allowed {
+            let root = square.sqrt();
+            return Self {
+                values: [root, -root],
+                len: 2,
+                edge: square < EDGE,
+            };
+        }
+        if square.is_nan() || square < -allowed {
+            return none;
+        }
+        if slack > 0.0 {
+            let root = square.max(SLACK_REACH * slack).sqrt();
+            return Self {
+                values: [root, -root],
+                len: 2,
+                edge: true,
+            };
+        }
+        if square <= 0.0 {
+            return Self { len: 1, ..none };
+        }
+        let root = square.sqrt();
+        Self {
+            values: [root, -root],
+            len: 2,
+            edge: true,
+        }
+    }
+
+    #[inline]
+    pub(super) fn iter(&self) -> impl Iterator<Item = f64> {
+        self.values.into_iter().take(self.len)
+    }
+}
+
+/// Relative squares below this come from root pairs closer than 3e-4 rad: worth a look whether they are one.
+const EDGE: f64 = 1e-8;
+
+/// A miss of the class by `s` moves a dimensionless square by a few `s`.
+const SLACK_REACH: f64 = 16.0;
+
+/// All `x` with `a cos x + b sin x = c`: two, or one where they merge, and by how much `c` is too large if none.
+#[inline]
+pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
+    let length = a.hypot(b);
+    let middle = b.atan2(a);
+    let (excess, ratio) = (c.abs() - length, c / length);
+    let square = (length - c) * (length + c) / (length * length);
+    let roots = Roots::of(square, slack);
+    let mut angles = [0.0; 2];
+    for (angle, root) in angles.iter_mut().zip(roots.values) {
+        *angle = middle + root.atan2(ratio);
+    }
+    LinearRoots {
+        angles,
+        len: roots.len,
+        edge: roots.edge,
+        excess,
+        length,
+    }
+}
+
+/// What [`solve_linear`] finds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LinearRoots {
+    pub(super) angles: [f64; 2],
+    pub(super) len: usize,
+    pub(super) edge: bool,
+    /// By how much the right-hand side exceeds what the left can be.
+    pub(super) excess: f64,
+    /// The amplitude of the left-hand side.
+    pub(super) length: f64,
+}

@@ -1,0 +1,246 @@
+//! What kind of arm it is, with the evidence: which axes meet, which are parallel, and how closely.
+
+use std::fmt;
+
+use super::TOLERANCES;
+use super::arm::Arm;
+use super::normal::Normal;
+use crate::error::Result;
+use crate::model::Chain;
+
+/// How two neighbouring axes lie to each other, as measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Relation {
+    /// Parallel at a distance.
+    Parallel,
+    /// On one line.
+    Coincident,
+    /// Meeting in a point.
+    Meeting,
+    /// Neither.
+    Skew,
+}
+
+/// Two neighbouring axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The first axis, counted from 0.
+    pub first: usize,
+    /// Their relation within the class tolerance.
+    pub relation: Relation,
+    /// The angle between them, radians.
+    pub angle: f64,
+    /// The length of their common normal, metres.
+    pub distance: f64,
+    /// By how much the relation is missed: radians, or metres relative to the arm's size.
+    pub miss: f64,
+}
+
+/// The families of arms that solvers know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Class {
+    /// Axes `first`, `first + 1`, `first + 2` (counted from 0) of six pass through one point.
+    Spherical {
+        /// The first of the three.
+        first: usize,
+    },
+    /// Axes `first`, `first + 1`, `first + 2` of six are parallel, all six turn.
+    ThreeParallel {
+        /// The first of the three.
+        first: usize,
+    },
+    /// Every axis is parallel to every other: SCARA and planar arms.
+    AllParallel,
+    /// Seven axes that turn: the first three and the last three pass through one point each.
+    SphericalRotationalSpherical,
+    /// None of these.
+    General,
+}
+
+impl fmt::Display for Class {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Spherical { first: 3 } => f.write_str("spherical wrist"),
+            Self::Spherical { first: 0 } => {
+                f.write_str("spherical shoulder (a mirrored spherical wrist)")
+            }
+            Self::Spherical { .. } => f.write_str("spherical joint in mid-arm"),
+            Self::ThreeParallel { .. } => f.write_str("three parallel axes"),
+            Self::AllParallel => f.write_str("all axes parallel"),
+            Self::SphericalRotationalSpherical => {
+                f.write_str("spherical shoulder, elbow, spherical wrist")
+            }
+            Self::General => f.write_str("general"),
+        }
+    }
+}
+
+/// What is known of an arm's structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Structure {
+    /// Every pair of neighbouring axes.
+    pub pairs: Vec<Pair>,
+    /// The classes the arm belongs to, the most useful first; [`Class::General`] is always the last.
+    pub classes: Vec<(Class, f64)>,
+}
+
+impl Structure {
+    /// The first class.
+    pub fn class(&self) -> Class {
+        self.classes
+            .first()
+            .map_or(Class::General, |&(class, _)| class)
+    }
+}
+
+/// Measures an arm's axes.
+///
+/// # Errors
+/// A model error for a chain of more than [`MAX_JOINTS`](super::MAX_JOINTS) joints.
+pub fn structure(chain: &Chain) -> Result<Structure> {
+    Ok(of(&Arm::new(chain)?))
+}
+
+pub(super) fn of(arm: &Arm) -> Structure {
+    let count = arm.steps();
+    let normals: Vec<Normal> = (0..count.saturating_sub(1))
+        .map(|index| Normal::of(&arm.links()[index], arm.size()))
+        .collect();
+    let pairs: Vec<Pair> = (0..normals.len())
+        .map(|index| pair(arm, index, &normals[index]))
+        .collect();
+    let mut classes = Vec::new();
+    if arm.is_independent() {
+        find_classes(arm, &normals, &pairs, &mut classes);
+    }
+    classes.push((Class::General, 0.0));
+    Structure { pairs, classes }
+}
+
+fn pair(arm: &Arm, first: usize, normal: &Normal) -> Pair {
+    let link = &arm.links()[first];
+    let m = link.rotation.matrix();
+    let sine = m[(0, 2)].hypot(m[(1, 2)]);
+    let t = link.translation.vector;
+    let distance = if normal.is_parallel() {
+        t.x.hypot(t.y)
+    } else {
+        ((m[(0, 2)] * t.y - m[(1, 2)] * t.x) / sine).abs()
+    };
+    let relation = match (normal.is_parallel(), normal.meets()) {
+        (true, true) => Relation::Coincident,
+        (true, false) => Relation::Parallel,
+        (false, true) => Relation::Meeting,
+        (false, false) => Relation::Skew,
+    };
+    Pair {
+        first,
+        relation,
+        angle: sine.atan2(m[(2, 2)]),
+        distance,
+        miss: normal.miss,
+    }
+}
+
+/// How far three axes miss a common point, relative to the arm's size; `None` if they are not near one.
+pub(super) fn spherical_miss(first: &Normal, second: &Normal, size: f64) -> Option<f64> {
+    let meet = first.meets() && second.meets() && !first.is_parallel() && !second.is_parallel();
+    let gap = (first.e + second.d).abs() / size;
+    (meet && gap < TOLERANCES.class).then(|| first.miss.max(second.miss).max(gap))
+}
+
+fn find_classes(arm: &Arm, normals: &[Normal], pairs: &[Pair], classes: &mut Vec<(Class, f64)>) {
+    let turns = arm.turns();
+    let spherical = |first: usize| {
+        let three = turns[first..first + 3].iter().all(|&turns| turns);
+        let miss = spherical_miss(&normals[first], &normals[first + 1], arm.size());
+        miss.filter(|_| three)
+    };
+    if arm.steps() == 6 {
+        for first in [3, 0, 2, 1] {
+            if let Some(miss) = spherical(first) {
+                classes.push((Class::Spherical { first }, miss));
+            }
+        }
+        for first in [1, 2, 0, 3] {
+            let parallel = |index: usize| pairs[index].relation == Relation::Parallel;
+            if turns.iter().all(|&turns| turns) && parallel(first) && parallel(first + 1) {
+                let miss = pairs[first].miss.max(pairs[first + 1].miss);
+                classes.push((Class::ThreeParallel { first }, miss));
+            }
+        }
+    }
+    if arm.steps() == 7
+        && turns[3]
+        && let (Some(shoulder), Some(wrist)) = (spherical(0), spherical(4))
+    {
+        classes.push((Class::SphericalRotationalSpherical, shoulder.max(wrist)));
+    }
+    let all = pairs
+        .iter()
+        .all(|pair| matches!(pair.relation, Relation::Parallel | Relation::Coincident));
+    if all && !pairs.is_empty() {
+        let miss = pairs.iter().map(|pair| pair.miss).fold(0.0, f64::max);
+        classes.push((Class::AllParallel, miss));
+    }
+}
+
+impl Structure {
+    /// The evidence for a class, one sentence each, with the measured deviations.
+    pub fn evidence(&self, class: Class) -> Vec<String> {
+        let mut out = Vec::new();
+        let axes = |first: usize, last: usize| {
+            let names: Vec<String> = (first..=last).map(|axis| (axis + 1).to_string()).collect();
+            match names.split_last() {
+                Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+                None => String::new(),
+            }
+        };
+        let miss = self
+            .classes
+            .iter()
+            .find(|(one, _)| *one == class)
+            .map_or(0.0, |&(_, miss)| miss);
+        match class {
+            Class::Spherical { first } => out.push(format!(
+                "axes {} pass through one point (missed by {miss:.1e} of the arm's size)",
+                axes(first, first + 2)
+            )),
+            Class::ThreeParallel { first } => out.push(format!(
+                "axes {} are parallel (missed by {miss:.1e} rad)",
+                axes(first, first + 2)
+            )),
+            Class::AllParallel => {
+                out.push(format!("all axes are parallel (missed by {miss:.1e} rad)"))
+            }
+            Class::SphericalRotationalSpherical => {
+                out.push(format!(
+                    "axes {} pass through one point, axes {} through another (missed by {miss:.1e} of the arm's size)",
+                    axes(0, 2),
+                    axes(4, 6)
+                ));
+            }
+            Class::General => {
+                out.push("no three neighbouring axes meet in a point or are parallel".to_owned())
+            }
+        }
+        out.extend(self.pairs.iter().map(|pair| pair.sentence()));
+        out
+    }
+}
+
+impl Pair {
+    /// What was measured, as a sentence.
+    pub fn sentence(&self) -> String {
+        let (a, b) = (self.first + 1, self.first + 2);
+        let (angle, mm) = (self.angle.to_degrees(), self.distance * 1e3);
+        match self.relation {
+            Relation::Parallel => format!("axes {a} and {b} are parallel, {mm:.3} mm apart"),
+            Relation::Coincident => format!("axes {a} and {b} lie on one line"),
+            Relation::Meeting => format!("axes {a} and {b} meet at {angle:.3} degrees"),
+            Relation::Skew => {
+                format!("axes {a} and {b} pass at {mm:.3} mm, turned by {angle:.3} degrees")
+            }
+        }
+    }
+}

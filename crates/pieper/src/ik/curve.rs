@@ -1,0 +1,170 @@
+//! Curves of solutions: recognised, followed, sampled.
+//!
+//! Where the Jacobian has a null direction, solutions either touch (a double root) or go on along a curve. A step
+//! along the direction, corrected by Newton's method perpendicular to it, tells the two apart, whatever kind of arm
+//! it is.
+
+use super::TOLERANCES;
+use super::angle::wrap;
+use super::arm::{Arm, Columns, MAX_JOINTS};
+use super::dense::symmetric_eigen;
+use super::descent::newton;
+use super::solutions::JointVector;
+use crate::spatial::Pose;
+
+/// Length of a trial step (radians or extents): far beyond the reach of Newton's method from a double root, where
+/// the error grows with the square of the step.
+const TRIAL: f64 = 0.05;
+
+/// Length of the steps that follow a curve, and the most of them: some six turns in joint space.
+const STRIDE: f64 = 0.2;
+const MOST_STRIDES: usize = 200;
+
+/// The difference `b - a`, angles modulo whole turns, lengths in extents.
+pub(super) fn difference(arm: &Arm, a: &JointVector, b: &JointVector) -> JointVector {
+    let mut out = [0.0; MAX_JOINTS];
+    for (j, variable) in arm.chain().variables().iter().enumerate() {
+        let step = b[j] - a[j];
+        out[j] = if variable.kind.is_angular() {
+            wrap(step)
+        } else {
+            step / arm.unit(j)
+        };
+    }
+    out
+}
+
+fn dot(a: &JointVector, b: &JointVector) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn norm(a: &JointVector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// The unit direction in which the pose changes least, in the units of the variables' columns, and that least change.
+pub(super) fn tangent(arm: &Arm, q: &JointVector) -> (JointVector, f64) {
+    let n = arm.chain().dof();
+    let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
+    arm.pose_and_columns(q, &mut columns);
+    let mut gram = [[0.0; MAX_JOINTS]; MAX_JOINTS];
+    for i in 0..n {
+        for j in 0..n {
+            gram[i][j] = (0..6).map(|k| columns[i][k] * columns[j][k]).sum();
+        }
+    }
+    let (values, vectors) = symmetric_eigen(gram, n);
+    let mut direction = vectors[0];
+    // The sign: the largest entry is positive.
+    let largest = direction.iter().fold(
+        0.0_f64,
+        |most, x| if x.abs() > most.abs() { *x } else { most },
+    );
+    if largest < 0.0 {
+        direction.iter_mut().for_each(|x| *x = -*x);
+    }
+    (direction, values[0].max(0.0).sqrt())
+}
+
+/// A step of length `h` from `q` along `direction`, back on the curve.
+fn advance(
+    arm: &Arm,
+    q: &JointVector,
+    direction: &JointVector,
+    h: f64,
+    target: &Pose,
+) -> Option<JointVector> {
+    let mut start = *q;
+    for (j, value) in start.iter_mut().enumerate().take(arm.chain().dof()) {
+        *value += h * direction[j] * arm.unit(j);
+    }
+    let (next, error) = newton(arm, &start, target, Some(direction));
+    let moved = norm(&difference(arm, q, &next));
+    (error < TOLERANCES.closes && moved < 3.0 * h.abs()).then_some(next)
+}
+
+/// The direction of the curve of solutions through `q`, if there is one.
+pub(super) fn grows(arm: &Arm, q: &JointVector, target: &Pose) -> Option<JointVector> {
+    let (direction, _) = tangent(arm, q);
+    [TRIAL, -TRIAL]
+        .iter()
+        .any(|&h| advance(arm, q, &direction, h, target).is_some())
+        .then_some(direction)
+}
+
+/// Follows the curve from `member` until it closes, ends, or `visit` returns false; both ways if it ends.
+pub(super) fn follow(
+    arm: &Arm,
+    member: &JointVector,
+    direction: &JointVector,
+    target: &Pose,
+    mut visit: impl FnMut(&JointVector) -> bool,
+) {
+    if !visit(member) {
+        return;
+    }
+    for sign in [1.0, -1.0] {
+        let mut heading = direction.map(|x| sign * x);
+        let mut q = *member;
+        for step in 0..MOST_STRIDES {
+            let next = [1.0, 0.25, 0.05]
+                .iter()
+                .find_map(|part| advance(arm, &q, &heading, part * STRIDE, target));
+            let Some(next) = next else { break };
+            let home = norm(&difference(arm, &next, member));
+            if step > 2 && home < 0.8 * STRIDE {
+                return;
+            }
+            if !visit(&next) {
+                return;
+            }
+            let (tangent, _) = tangent(arm, &next);
+            heading = if dot(&tangent, &heading) < 0.0 {
+                tangent.map(|x| -x)
+            } else {
+                tangent
+            };
+            q = next;
+        }
+    }
+}
+
+/// Whether the curve through `member` passes through `q`.
+pub(super) fn passes(
+    arm: &Arm,
+    member: &JointVector,
+    direction: &JointVector,
+    target: &Pose,
+    q: &JointVector,
+) -> bool {
+    let mut met = false;
+    follow(arm, member, direction, target, |at| {
+        let gap = difference(arm, at, q);
+        if norm(&gap) < STRIDE {
+            met = norm(&difference(arm, &closest(arm, at, target, q), q)) < SAME_POINT;
+        }
+        !met
+    });
+    met
+}
+
+/// A point on a curve and a solution are the same if closer than this: where Newton's method stops at a singular
+/// point only half of the digits are determined.
+const SAME_POINT: f64 = 1e-6;
+
+/// Walks along the curve from `at` to where it is perpendicular to the direction of `q`.
+pub(super) fn closest(arm: &Arm, at: &JointVector, target: &Pose, q: &JointVector) -> JointVector {
+    let mut at = *at;
+    for _ in 0..30 {
+        let (tangent, _) = tangent(arm, &at);
+        let along = dot(&tangent, &difference(arm, &at, q)).clamp(-STRIDE, STRIDE);
+        if along.abs() < TOLERANCES.exact {
+            break;
+        }
+        match advance(arm, &at, &tangent, along, target) {
+            Some(next) => at = next,
+            None => break,
+        }
+    }
+    at
+}

@@ -1,0 +1,113 @@
+//! Joint limits, whole turns, and the order a seed asks for.
+
+use std::f64::consts::TAU;
+
+use super::TOLERANCES;
+use super::solutions::{JointVector, Solution, Solutions};
+use crate::model::{Chain, Variable};
+
+/// Whether every value lies within its joint's limits.
+#[inline]
+pub(super) fn within(chain: &Chain, q: &JointVector) -> bool {
+    chain.variables().iter().zip(q).all(|(variable, &value)| {
+        variable.limits.is_none_or(|limits| {
+            let slack = TOLERANCES.limit;
+            limits.lower() - slack <= value && value <= limits.upper() + slack
+        })
+    })
+}
+
+/// The most copies of one solution that are listed: six joints with three turns each.
+const MOST_COPIES: usize = 729;
+
+/// Every solution within the limits: each isolated one with all its copies by whole turns that fit.
+///
+/// A joint without limits, or one that turns without end, keeps its value in (-pi, pi].
+pub fn windings(chain: &Chain, solutions: &Solutions) -> Vec<Solution> {
+    solutions
+        .iter()
+        .flat_map(|solution| copies(chain, solution))
+        .collect()
+}
+
+fn copies(chain: &Chain, solution: &Solution) -> Vec<Solution> {
+    let mut list = vec![Solution {
+        within_limits: true,
+        ..*solution
+    }];
+    for (j, variable) in chain.variables().iter().enumerate() {
+        let values = values_within(variable, solution.q[j]);
+        let vary = |copy: &Solution| -> Vec<Solution> {
+            let with = |&value: &f64| {
+                let mut copy = *copy;
+                copy.q[j] = value;
+                copy
+            };
+            values.iter().map(with).collect()
+        };
+        list = list.iter().flat_map(vary).take(MOST_COPIES).collect();
+    }
+    list
+}
+
+/// A value and its copies by whole turns that lie within the limits, the smallest change first.
+fn values_within(variable: &Variable, value: f64) -> Vec<f64> {
+    let Some(limits) = variable.limits else {
+        return vec![value];
+    };
+    let (lower, upper) = (
+        limits.lower() - TOLERANCES.limit,
+        limits.upper() + TOLERANCES.limit,
+    );
+    if !variable.kind.is_angular() {
+        return Vec::from_iter((lower <= value && value <= upper).then_some(value));
+    }
+    let first = ((lower - value) / TAU).ceil();
+    let last = ((upper - value) / TAU).floor();
+    // Limits of a million turns mean none; list the near ones.
+    let (first, last) = (first.max(-64.0) as i64, last.min(64.0) as i64);
+    let mut turns: Vec<i64> = (first..=last).collect();
+    turns.sort_by_key(|turn| (turn.abs(), -turn));
+    turns
+        .iter()
+        .map(|&turn| value + turn as f64 * TAU)
+        .collect()
+}
+
+/// What comes first in a list of solutions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ranking<'a> {
+    /// The one closest to these joint values (sum of squares, radians and metres).
+    Seed(&'a [f64]),
+    /// The one farthest from its limits (the smallest margin, as part of each joint's range).
+    Margin,
+}
+
+/// Sorts solutions; equal ones keep their order.
+pub fn rank(chain: &Chain, solutions: &mut [Solution], ranking: Ranking<'_>) {
+    match ranking {
+        Ranking::Seed(seed) => {
+            let distance = |solution: &Solution| -> f64 {
+                let squares = solution
+                    .q()
+                    .iter()
+                    .zip(seed)
+                    .map(|(a, b)| (a - b) * (a - b));
+                squares.sum()
+            };
+            solutions.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        }
+        Ranking::Margin => {
+            let margin = |solution: &Solution| {
+                let joints = chain.variables().iter().zip(solution.q());
+                let margins = joints.filter_map(|(variable, value)| {
+                    let limits = variable.limits?;
+                    let range = (limits.upper() - limits.lower()).max(f64::MIN_POSITIVE);
+                    Some((value - limits.lower()).min(limits.upper() - value) / range)
+                });
+                margins.fold(f64::INFINITY, f64::min)
+            };
+            solutions.sort_by(|a, b| margin(b).total_cmp(&margin(a)));
+        }
+    }
+}

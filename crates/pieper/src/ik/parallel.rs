@@ -1,0 +1,492 @@
+//! Three neighbouring parallel axes of six, wherever they stand.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+use super::TOLERANCES;
+use super::angle::{LinearRoots, Roots, between, solve_linear};
+use super::arm::Arm;
+use super::classify::{Class, Structure};
+use super::normal::Normal;
+use super::planar::{Bent, Triangle};
+use super::polynomial::{Linear, Quadratic};
+use super::reason::Part;
+use super::registry::Prepared;
+use super::sink::{Marks, Sink};
+use super::solutions::{Branch, Elbow, Shoulder, Wrist};
+use super::spherical::turn_z;
+use crate::spatial::Pose;
+
+/// The loop opened behind the three parallel axes `a, b, c`, as for the spherical wrist:
+///
+/// `(Z_a L_a Z_b L_b Z_c)^-1 = W = K_0 Z_d K_1 Z_e K_2 Z_f K_3`
+///
+/// The left side keeps the direction z and the height along it, so `W z = +-z` and `W` rises by a known amount. With
+/// `k0 = K_0^T z`, `k3 = K_3 z` (rotations) and the translations `t` of the links, that is
+///
+/// 1. `t1 . Rz(d)^-1 k0 +- (K_2^T t2) . Rz(f) k3 = const` (the rise),
+/// 2. `K_1 z . Rz(d)^-1 k0 -+ K_2^T z . Rz(f) k3 = 0` (the angle that axis e cannot change),
+///
+/// two equations linear in cosine and sine of d and of f. Where axes d and e meet (UR: 5 and 6), a combination is
+/// free of d and gives f at once; where e and f meet, one is free of f; otherwise a quartic. Then e from the direction,
+/// and a triangle for a, b, c: up to eight solutions.
+#[derive(Clone, Debug)]
+struct ThreeParallel {
+    first: usize,
+    links: [Pose; 6],
+    triangle: Triangle,
+    size: f64,
+}
+
+/// Prepares an arm of the class.
+pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn Prepared>> {
+    let Class::ThreeParallel { first } = class else {
+        return None;
+    };
+    let links: [Pose; 6] = arm.links().try_into().ok()?;
+    let normals = [0, 1].map(|ahead| Normal::of(&links[first + ahead], arm.size()));
+    // A fourth axis parallel to the three would leave them without work of their own.
+    let next = |index: usize| Normal::of(&links[index], arm.size()).is_parallel();
+    if (first + 2 < 5 && next(first + 2)) || (first > 0 && next(first - 1)) {
+        return None;
+    }
+    Some(Arc::new(ThreeParallel {
+        first,
+        triangle: Triangle::new(&normals[0], &normals[1])?,
+        size: arm.size(),
+        links,
+    }))
+}
+
+impl Prepared for ThreeParallel {
+    fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
+        let mut links = [2, 3, 4, 5].map(|ahead| self.links[(self.first + ahead) % 6]);
+        let closing = (9 - self.first) % 6;
+        if let Some(link) = links.get_mut(closing) {
+            *link *= target.inverse();
+        }
+        let equations = Loop::new(links, &self.triangle, self.size, sink.slack());
+        let outers = equations.outers(sink);
+        for (index, outer) in outers.list[..outers.len].iter().enumerate() {
+            equations.close(self, outer, index, sink);
+        }
+    }
+}
+
+/// `u . Rz(x) v` as a function of x.
+fn turned_dot(u: &Vector3<f64>, v: &Vector3<f64>) -> Linear {
+    Linear {
+        k: u.z * v.z,
+        c: u.x * v.x + u.y * v.y,
+        s: u.y * v.x - u.x * v.y,
+    }
+}
+
+/// The equations of one pose.
+struct Loop {
+    links: [Pose; 4],
+    rotations: [Matrix3<f64>; 4],
+    k0: Vector3<f64>,
+    k3: Vector3<f64>,
+    /// `K_1 z` and `K_2^T z`
+    axis_e: [Vector3<f64>; 2],
+    flip: f64,
+    /// Equations 1 and 2 as (function of d) + (function of f) = 0.
+    equations: [(Linear, Linear); 2],
+    slack: f64,
+    size: f64,
+}
+
+/// Values of d and f that satisfy both equations.
+#[derive(Clone, Copy, Debug)]
+struct Outer {
+    d: f64,
+    f: f64,
+    signs: [bool; 2],
+    multiplicity: u8,
+    edge: bool,
+}
+
+/// At most two times two of them, or eight candidates of a quartic.
+#[derive(Clone, Copy, Debug)]
+struct Outers {
+    list: [Outer; 8],
+    len: usize,
+}
+
+impl Outers {
+    fn push(&mut self, outer: Outer) {
+        if self.len < self.list.len() {
+            self.list[self.len] = outer;
+            self.len += 1;
+        }
+    }
+}
+
+impl Loop {
+    fn new(links: [Pose; 4], triangle: &Triangle, size: f64, slack: f64) -> Self {
+        let r = links.map(|link| link.rotation.into_inner());
+        let t = links.map(|link| link.translation.vector);
+        let z = Vector3::z();
+        let flip = triangle.flip();
+        let (k0, k3) = (r[0].transpose() * z, r[3] * z);
+        let axis_e = [r[1] * z, r[2].transpose() * z];
+        let rise = -flip * triangle.rise;
+        // The rise counts in the arm's size: both equations are then of order one.
+        let mut of_f = scaled(&turned_dot(&(r[2].transpose() * t[2]), &k3), flip / size);
+        of_f.k += (t[0].z + flip * k3.dot(&t[3]) - rise) / size;
+        let of_d = scaled(&turned_dot(&k0, &t[1]), 1.0 / size);
+        let second = (
+            turned_dot(&k0, &axis_e[0]),
+            scaled(&turned_dot(&axis_e[1], &k3), -flip),
+        );
+        Self {
+            links,
+            rotations: r,
+            k0,
+            k3,
+            axis_e,
+            flip,
+            equations: [(of_d, of_f), second],
+            slack,
+            size,
+        }
+    }
+
+    /// Both equations solved for d and f.
+    fn outers(&self, sink: &mut Sink<'_>) -> Outers {
+        let [one, two] = &self.equations;
+        let empty = Outer {
+            d: 0.0,
+            f: 0.0,
+            signs: [true; 2],
+            multiplicity: 1,
+            edge: false,
+        };
+        let mut outers = Outers {
+            list: [empty; 8],
+            len: 0,
+        };
+        let (d_rows, f_rows) = ([&one.0, &two.0], [&one.1, &two.1]);
+        if let Some(weights) = self.weights(d_rows) {
+            let roots = self.combined(weights, f_rows, d_rows, sink);
+            for (&f, first) in roots.angles[..roots.len].iter().zip([true, false]) {
+                let (inner, middle, cosine) = self.inner_d(f, sink);
+                for (root, second) in inner.iter().zip([true, false]) {
+                    let d = middle + root.atan2(cosine);
+                    outers.push(Outer {
+                        d,
+                        f,
+                        signs: [first, second],
+                        ..marks(&roots, &inner)
+                    });
+                }
+            }
+        } else if let Some(weights) = self.weights(f_rows) {
+            let roots = self.combined(weights, d_rows, f_rows, sink);
+            for (&d, first) in roots.angles[..roots.len].iter().zip([true, false]) {
+                let (inner, middle, cosine) = self.inner_f(d, sink);
+                for (root, second) in inner.iter().zip([true, false]) {
+                    let f = middle + root.atan2(cosine);
+                    outers.push(Outer {
+                        d,
+                        f,
+                        signs: [first, second],
+                        ..marks(&roots, &inner)
+                    });
+                }
+            }
+        } else {
+            self.quartic(&mut outers, sink);
+        }
+        outers
+    }
+
+    /// The combination of the two equations in which the angle of these rows does not occur, if there is one.
+    fn weights(&self, rows: [&Linear; 2]) -> Option<[f64; 2]> {
+        let [u, v] = rows.map(|row| [row.c, row.s]);
+        let (lu, lv) = (u[0].hypot(u[1]), v[0].hypot(v[1]));
+        let cross = u[0] * v[1] - u[1] * v[0];
+        let tolerance = TOLERANCES.exact.max(16.0 * self.slack);
+        if cross.abs() > tolerance * lu.max(lv) {
+            return None;
+        }
+        let long = if lu > lv { u } else { v };
+        let length = lu.max(lv);
+        if length < TOLERANCES.free {
+            return Some([1.0, 0.0]);
+        }
+        let along = |w: [f64; 2]| (w[0] * long[0] + w[1] * long[1]) / (length * length);
+        Some([along(v), -along(u)])
+    }
+
+    /// Solves the combination for the angle of `rows`; of `others` only the constants are left.
+    fn combined(
+        &self,
+        weights: [f64; 2],
+        rows: [&Linear; 2],
+        others: [&Linear; 2],
+        sink: &mut Sink<'_>,
+    ) -> LinearRoots {
+        let sum = |part: fn(&Linear) -> f64, rows: [&Linear; 2]| {
+            weights[0] * part(rows[0]) + weights[1] * part(rows[1])
+        };
+        let constant = sum(|row| row.k, rows) + sum(|row| row.k, others);
+        let (c, s) = (sum(|row| row.c, rows), sum(|row| row.s, rows));
+        let roots = solve_linear(c, s, -constant, self.slack);
+        sink.fail(Part::Inside, roots.excess * self.size);
+        roots
+    }
+
+    /// The angle d for a given f: (roots of its sine, where it counts from, its cosine).
+    fn inner_d(&self, f: f64, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+        let m = self.direction_behind(f);
+        let cone = Cone::new(&self.k0, &self.axis_e[0], &m);
+        if let Some(cone) = cone {
+            return self.cone_roots(&cone, sink);
+        }
+        // Axes d and e are parallel: the rise decides.
+        let (of_d, of_f) = &self.equations[0];
+        self.rise_roots(of_d, of_f.at(f.sin_cos()), sink)
+    }
+
+    /// The angle f for a given d.
+    fn inner_f(&self, d: f64, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+        let y = self.direction_before(d) * self.flip;
+        let cone = Cone::new(&self.axis_e[1], &self.k3, &y);
+        if let Some(cone) = cone {
+            return self.cone_roots(&cone, sink);
+        }
+        let (of_d, of_f) = &self.equations[0];
+        self.rise_roots(of_f, of_d.at(d.sin_cos()), sink)
+    }
+
+    fn cone_roots(&self, cone: &Cone, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+        let roots = if self.slack == 0.0 && cone.square.sqrt() < TOLERANCES.free {
+            Roots {
+                values: [0.0; 2],
+                len: 1,
+                edge: true,
+            }
+        } else {
+            Roots::of(cone.square, self.slack)
+        };
+        if roots.len == 0 {
+            sink.fail(
+                Part::Orientation,
+                (2.0 * (cone.cosine.abs() - 1.0).max(0.0)).sqrt(),
+            );
+        }
+        (roots, cone.middle, cone.cosine)
+    }
+
+    fn rise_roots(&self, row: &Linear, constant: f64, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+        let length = row.c.hypot(row.s);
+        let cosine = -(row.k + constant) / length;
+        sink.fail(Part::Inside, (cosine.abs() - 1.0) * length * self.size);
+        (
+            Roots::of(1.0 - cosine * cosine, self.slack),
+            row.s.atan2(row.c),
+            cosine,
+        )
+    }
+
+    /// `K_1^T Rz(d)^-1 K_0^T z`: the direction of the three axes, seen from axis e.
+    fn direction_before(&self, d: f64) -> Vector3<f64> {
+        let (sin, cos) = d.sin_cos();
+        let k = &self.k0;
+        let back = Vector3::new(cos * k.x + sin * k.y, cos * k.y - sin * k.x, k.z);
+        self.rotations[1].transpose() * back
+    }
+
+    /// The same seen from behind axis e: `+-K_2 Rz(f) K_3 z`.
+    fn direction_behind(&self, f: f64) -> Vector3<f64> {
+        let (sin, cos) = f.sin_cos();
+        let k = &self.k3;
+        let on = Vector3::new(cos * k.x - sin * k.y, sin * k.x + cos * k.y, k.z);
+        self.rotations[2] * on * self.flip
+    }
+
+    /// No neighbouring axes meet: f from both equations, linear in its cosine and sine.
+    fn quartic(&self, outers: &mut Outers, sink: &mut Sink<'_>) {
+        let [one, two] = &self.equations;
+        let right = |equation: &(Linear, Linear)| {
+            let mut sum = scaled(&equation.0, -1.0);
+            sum.k -= equation.1.k;
+            sum
+        };
+        let (p, q) = (right(one), right(two));
+        let determinant = one.1.c * two.1.s - one.1.s * two.1.c;
+        let cosine = scaled(&p, two.1.s).plus(-one.1.s, &q);
+        let sine = scaled(&q, one.1.c).plus(-two.1.c, &p);
+        let whole = Linear {
+            k: determinant,
+            ..Linear::default()
+        };
+        let mut equation = Quadratic::default();
+        equation.add(1.0, &cosine, &cosine);
+        equation.add(1.0, &sine, &sine);
+        equation.add(-1.0, &whole, &whole);
+        let roots = equation.roots(self.slack);
+        for (index, &d) in roots.as_slice().iter().enumerate() {
+            let at = d.sin_cos();
+            let sign = 1.0_f64.copysign(determinant);
+            let f = (sign * sine.at(at)).atan2(sign * cosine.at(at));
+            let signs = [index & 2 == 0, index & 1 == 0];
+            outers.push(Outer {
+                d,
+                f,
+                signs,
+                multiplicity: 1,
+                edge: true,
+            });
+        }
+        if outers.len == 0 {
+            sink.fail(Part::Inside, f64::MIN_POSITIVE);
+        }
+    }
+
+    /// Joint e and the triangle for given d and f.
+    fn close(&self, arm: &ThreeParallel, outer: &Outer, index: usize, sink: &mut Sink<'_>) {
+        let (y, m) = (
+            self.direction_before(outer.d),
+            self.direction_behind(outer.f),
+        );
+        let (y, m) = ([y.x, y.y], [m.x, m.y]);
+        let length = |v: [f64; 2]| v[0].hypot(v[1]);
+        let shortest = length(y).min(length(m));
+        let free = shortest < TOLERANCES.free;
+        if !free {
+            self.triangle(arm, outer, index, (between(m, y), false), sink);
+        }
+        // Axis e is parallel to the three: it may stand anywhere, within the triangle's reach. Or nearly so, and the
+        // arm misses its class: it may stand anywhere as a start.
+        if free || shortest < 16.0 * self.slack {
+            for k in 0..ANYWHERE {
+                let e = k as f64 * TAU / ANYWHERE as f64;
+                self.triangle(arm, outer, index, (e, free), sink);
+            }
+        }
+    }
+
+    fn triangle(
+        &self,
+        arm: &ThreeParallel,
+        outer: &Outer,
+        index: usize,
+        (e, free): (f64, bool),
+        sink: &mut Sink<'_>,
+    ) {
+        let mut whole = self.links[0];
+        for (theta, link) in [outer.d, e, outer.f].iter().zip(&self.links[1..]) {
+            let mut rotation = whole.rotation.into_inner();
+            turn_z(&mut rotation, theta.sin_cos());
+            let shift = rotation * link.translation.vector;
+            whole.translation.vector += shift;
+            whole.rotation = Rotation3::from_matrix_unchecked(rotation * link.rotation.matrix());
+        }
+        let motion = whole.inverse();
+        let at = [motion.translation.vector.x, motion.translation.vector.y];
+        let m = motion.rotation.matrix();
+        let bends = arm.triangle.solve(at, [m[(0, 0)], m[(1, 0)]], self.slack);
+        if let Some(shortfall) = bends.shortfall.filter(|_| !free) {
+            sink.fail(shortfall.part, shortfall.amount);
+        }
+        for bent in &bends.list[..bends.len] {
+            let mut all = [0.0; 6];
+            let thetas = [
+                bent.theta[0],
+                bent.theta[1],
+                bent.theta[2],
+                outer.d,
+                e,
+                outer.f,
+            ];
+            for (k, theta) in thetas.iter().enumerate() {
+                all[(arm.first + k) % 6] = *theta;
+            }
+            let marks = Marks {
+                multiplicity: outer.multiplicity * bent.multiplicity,
+                edge: outer.edge || bent.edge,
+                free: free || bent.free,
+            };
+            sink.push(&all, arm.branch(outer, index, bent), marks);
+        }
+    }
+}
+
+/// Places tried for a joint that may stand anywhere.
+const ANYWHERE: usize = 16;
+
+fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {
+    let merged = usize::from(outer.len == 1) + usize::from(inner.len == 1);
+    Outer {
+        d: 0.0,
+        f: 0.0,
+        signs: [true; 2],
+        multiplicity: 1 << merged,
+        edge: outer.edge || inner.edge,
+    }
+}
+
+/// The angles x with `u . Rz(x) v = w_z`, for unit vectors of which `w` is known whole: its plane part gives the
+/// sine without cancellation where the cosine is close to one.
+struct Cone {
+    middle: f64,
+    cosine: f64,
+    square: f64,
+}
+
+impl Cone {
+    fn new(u: &Vector3<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> Option<Self> {
+        let row = turned_dot(u, v);
+        let length = row.c.hypot(row.s);
+        if length < TOLERANCES.class {
+            return None;
+        }
+        let flat = w.x * w.x + w.y * w.y;
+        let square = flat - u.z * u.z - v.z * v.z + 2.0 * u.z * v.z * w.z;
+        Some(Self {
+            middle: row.s.atan2(row.c),
+            cosine: (w.z - row.k) / length,
+            square: square / (length * length),
+        })
+    }
+}
+
+impl ThreeParallel {
+    fn branch(&self, outer: &Outer, index: usize, bent: &Bent) -> Branch {
+        let [first, second] = outer.signs;
+        if self.first != 1 {
+            return Branch {
+                elbow: Some(if bent.bend { Elbow::Down } else { Elbow::Up }),
+                root: index as u8 + 1,
+                ..Branch::default()
+            };
+        }
+        Branch {
+            shoulder: Some(if first {
+                Shoulder::Left
+            } else {
+                Shoulder::Right
+            }),
+            elbow: Some(if bent.bend == first {
+                Elbow::Down
+            } else {
+                Elbow::Up
+            }),
+            wrist: Some(if second { Wrist::NoFlip } else { Wrist::Flip }),
+            root: 0,
+        }
+    }
+}
+
+fn scaled(linear: &Linear, by: f64) -> Linear {
+    Linear {
+        k: linear.k * by,
+        c: linear.c * by,
+        s: linear.s * by,
+    }
+}

@@ -1,0 +1,91 @@
+//! The solvers: one row each, asked in order; the first that takes an arm solves it.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::arm::Arm;
+use super::classify::{Class, Structure};
+use super::sink::Sink;
+use super::{numeric, parallel, planar, spherical};
+use crate::spatial::Pose;
+
+/// A solver prepared for one arm.
+///
+/// It proposes displacements to the [`Sink`], which verifies, refines, merges and names families; a proposal may
+/// therefore be wrong, but a root that is not proposed is lost.
+pub trait Prepared: fmt::Debug + Send + Sync {
+    /// Proposes every solution of `Z_1 L_1 ... Z_m L_m = target` (links of the arm, target seen from the first
+    /// axis), or says what fails. Must not allocate.
+    fn solve(&self, target: &Pose, sink: &mut Sink<'_>);
+}
+
+/// An arm's prepared solver, and the class it is solved as.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// The row's name.
+    pub name: &'static str,
+    /// The class.
+    pub class: Class,
+    /// How far the arm misses that class, relative; rounding counts as 0.
+    pub slack: f64,
+    /// The solver.
+    pub solver: Arc<dyn Prepared>,
+}
+
+/// One solver.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// Its name.
+    pub name: &'static str,
+    /// What it does, in a line.
+    pub summary: &'static str,
+    /// Prepares it for an arm of this class, if it takes that.
+    pub prepare: fn(&Arm, &Structure, Class) -> Option<Arc<dyn Prepared>>,
+}
+
+/// All rows, the most special first.
+pub const ROWS: &[Row] = &[
+    Row {
+        name: "spherical",
+        summary: "three neighbouring axes through one point, any other three: a quartic at most, then the orientation",
+        prepare: spherical::prepare,
+    },
+    Row {
+        name: "three-parallel",
+        summary: "three neighbouring parallel axes of six: two angles by closed form, then a triangle",
+        prepare: parallel::prepare,
+    },
+    Row {
+        name: "planar",
+        summary: "all axes parallel (SCARA, planar arms): a triangle, an angle and a height",
+        prepare: planar::prepare,
+    },
+    Row {
+        name: "numeric",
+        summary: "damped least squares from many starts: any chain, without a proof of completeness",
+        prepare: numeric::prepare,
+    },
+];
+
+/// The first row that takes the arm, trying its classes in order.
+pub(super) fn choose(arm: &Arm, structure: &Structure) -> Option<Choice> {
+    let pairs = structure
+        .classes
+        .iter()
+        .flat_map(|&(class, miss)| ROWS.iter().map(move |row| (row, class, miss)));
+    for (row, class, miss) in pairs {
+        if let Some(solver) = (row.prepare)(arm, structure, class) {
+            return Some(Choice {
+                name: row.name,
+                class,
+                slack: if miss < super::TOLERANCES.exact {
+                    0.0
+                } else {
+                    miss
+                },
+                solver,
+            });
+        }
+    }
+    None
+}

@@ -1,0 +1,241 @@
+//! Where rows put their proposals: everything is verified here, on the true model.
+
+use super::arm::{Arm, residuals};
+use super::curve;
+use super::descent::{self, newton};
+use super::reason::{Part, Shortfall};
+use super::solutions::{
+    Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
+};
+use super::{MAX_JOINTS, TOLERANCES};
+use crate::spatial::Pose;
+
+/// What a row knows about a proposal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Marks {
+    /// How many roots the proposal stands for.
+    pub multiplicity: u8,
+    /// Other proposals may be the same root, split by rounding.
+    pub edge: bool,
+    /// Some displacement is undetermined: there may be a family through it.
+    pub free: bool,
+}
+
+impl Marks {
+    /// One root, away from others.
+    pub const PLAIN: Self = Self {
+        multiplicity: 1,
+        edge: false,
+        free: false,
+    };
+}
+
+/// Collects a row's proposals: verifies them on the true model, refines what misses by a hair, merges roots that
+/// coincide and recognises families.
+#[derive(Debug)]
+pub struct Sink<'a> {
+    arm: &'a Arm,
+    pose: &'a Pose,
+    slack: f64,
+    out: &'a mut Solutions,
+    shortfall: Option<Shortfall>,
+    rejected: bool,
+}
+
+impl<'a> Sink<'a> {
+    pub(super) fn new(arm: &'a Arm, pose: &'a Pose, slack: f64, out: &'a mut Solutions) -> Self {
+        out.clear();
+        Self {
+            arm,
+            pose,
+            slack,
+            out,
+            shortfall: None,
+            rejected: false,
+        }
+    }
+
+    /// The arm.
+    pub fn arm(&self) -> &'a Arm {
+        self.arm
+    }
+
+    /// The wanted pose of the tool, in the world.
+    pub fn pose(&self) -> &'a Pose {
+        self.pose
+    }
+
+    /// How far the arm misses the class that its row solves, relative: 0 for none. Where a row must decide whether a
+    /// root exists, it gives this much the benefit of the doubt.
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// The number of isolated solutions so far.
+    pub fn found(&self) -> usize {
+        self.out.len
+    }
+
+    /// Says that a branch does not exist, and how far it is from existing.
+    pub fn fail(&mut self, part: Part, amount: f64) {
+        if amount > 0.0 && self.shortfall.is_none_or(|least| amount < least.amount) {
+            self.shortfall = Some(Shortfall { part, amount });
+        }
+    }
+
+    /// Proposes displacements, one for each step of an arm whose joints have variables of their own.
+    #[inline]
+    pub fn push(&mut self, displacements: &[f64], branch: Branch, marks: Marks) {
+        let q = self.arm.joint_vector(displacements);
+        self.push_joints(q, branch, marks);
+    }
+
+    /// Proposes a joint vector. True if it was a new isolated solution.
+    #[inline]
+    pub fn push_joints(&mut self, mut q: JointVector, branch: Branch, marks: Marks) -> bool {
+        let extent = self.arm.extent();
+        let (mut turn, mut shift) = residuals(&self.arm.pose(&q), self.pose);
+        let mut refined = false;
+        let rough = |turn: f64, shift: f64, limit: f64| !(turn <= limit && shift <= limit * extent);
+        if rough(turn, shift, TOLERANCES.rounding) {
+            (q, _) = newton(self.arm, &q, self.pose, None);
+            self.arm.wrap(&mut q);
+            (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
+            refined = true;
+        }
+        if rough(turn, shift, TOLERANCES.closes) {
+            self.rejected = true;
+            return false;
+        }
+        let solution = Solution {
+            q,
+            dof: self.arm.chain().dof() as u8,
+            residual: turn.max(shift),
+            branch,
+            multiplicity: marks.multiplicity,
+            within_limits: super::limits::within(self.arm.chain(), &q),
+        };
+        if self.arm.chain().dof() > 6 {
+            return self.add_redundant(&solution);
+        }
+        if marks.free && self.add_family(&solution) {
+            return false;
+        }
+        if (marks.edge || refined || self.slack > 0.0) && self.merge(&solution, refined) {
+            return false;
+        }
+        self.insert(&solution)
+    }
+
+    #[inline]
+    fn insert(&mut self, solution: &Solution) -> bool {
+        if self.out.len == MAX_SOLUTIONS {
+            return false;
+        }
+        self.out.list[self.out.len] = *solution;
+        self.out.len += 1;
+        true
+    }
+
+    /// The largest difference of two joint vectors, angles modulo whole turns.
+    fn distance(&self, a: &JointVector, b: &JointVector) -> f64 {
+        descent::largest(&curve::difference(self.arm, a, b))
+    }
+
+    /// Whether the solution is one that is listed already; if so, that one takes it in.
+    fn merge(&mut self, solution: &Solution, refined: bool) -> bool {
+        for index in 0..self.out.len {
+            let listed = self.out.list[index];
+            let distance = self.distance(&listed.q, &solution.q);
+            if distance > TOLERANCES.near {
+                continue;
+            }
+            if refined && distance < TOLERANCES.same {
+                return true;
+            }
+            let mut middle = listed.q;
+            let step = curve::difference(self.arm, &listed.q, &solution.q);
+            for (j, value) in middle.iter_mut().enumerate().take(self.arm.chain().dof()) {
+                *value += 0.5 * step[j] * self.arm.unit(j);
+            }
+            self.arm.wrap(&mut middle);
+            let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);
+            let limit = TOLERANCES.rounding;
+            if turn <= limit && shift <= limit * self.arm.extent() {
+                let kept = &mut self.out.list[index];
+                kept.q = middle;
+                kept.residual = turn.max(shift);
+                kept.multiplicity = kept.multiplicity.saturating_add(solution.multiplicity);
+                kept.within_limits = super::limits::within(self.arm.chain(), &middle);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Adds the family through a solution, if there is one; true also if it is listed already.
+    #[cold]
+    fn add_family(&mut self, solution: &Solution) -> bool {
+        let Some(free) = curve::grows(self.arm, &solution.q, self.pose) else {
+            return false;
+        };
+        for family in &self.out.families[..self.out.family_count] {
+            if curve::passes(
+                self.arm,
+                &family.member,
+                &family.free,
+                self.pose,
+                &solution.q,
+            ) {
+                return true;
+            }
+        }
+        self.push_family(solution, free);
+        true
+    }
+
+    fn add_redundant(&mut self, solution: &Solution) -> bool {
+        for index in 0..self.out.family_count {
+            let member = self.out.families[index].member;
+            if self.distance(&member, &solution.q) < TOLERANCES.near {
+                return false;
+            }
+        }
+        let (free, _) = curve::tangent(self.arm, &solution.q);
+        self.push_family(solution, free);
+        true
+    }
+
+    fn push_family(&mut self, solution: &Solution, free: [f64; MAX_JOINTS]) {
+        if self.out.family_count < MAX_FAMILIES {
+            self.out.families[self.out.family_count] = Family {
+                member: solution.q,
+                free,
+                dof: solution.dof,
+                residual: solution.residual,
+                branch: solution.branch,
+            };
+            self.out.family_count += 1;
+        }
+    }
+
+    /// Whether anything was proposed that does not close.
+    pub(super) fn finish(self) {
+        let out = self.out;
+        out.status = match (out.family_count, out.len) {
+            (0, 0) => Status::Unreachable,
+            (0, _) => Status::Solved,
+            _ if self.arm.chain().dof() > 6 => Status::Redundant,
+            _ => Status::Singular,
+        };
+        if out.status == Status::Unreachable {
+            out.reason = self.shortfall.filter(|_| true);
+            if self.rejected && out.reason.is_none() {
+                out.reason = Some(Shortfall {
+                    part: Part::NoneCloses,
+                    amount: f64::NAN,
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! Three neighbouring axes through one point, at either end of the arm or in its middle.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Point3, Vector3};
+
+use super::arm::Arm;
+use super::classify::{Class, Structure};
+use super::normal::Normal;
+use super::position::{Reach, Reaches, Three};
+use super::reason::Part;
+use super::registry::Prepared;
+use super::sink::{Marks, Sink};
+use super::slides;
+use super::solutions::{Branch, Elbow, Shoulder, Wrist};
+use super::wrist::{Ball, Turned};
+use crate::spatial::Pose;
+
+/// The loop `Z_1 L_1 ... Z_6 L_6 target^-1 = 1`, opened behind the three axes `a, b, c` that pass through a point:
+///
+/// `(Z_a L_a Z_b L_b Z_c)^-1 = K_0 Z_d K_1 Z_e K_2 Z_f K_3`
+///
+/// The point stays where it is on the left: `Z_d K_1 Z_e K_2 Z_f (K_3 point_a) = K_0^-1 point_c` is a position
+/// problem in three joints (up to four solutions), the rest an orientation problem in the other three (two each).
+#[derive(Clone, Debug)]
+struct Spherical {
+    first: usize,
+    links: [Pose; 6],
+    /// The point on axis a, seen from a; on axis c, seen from c.
+    point_a: Point3<f64>,
+    point_c: Point3<f64>,
+    ball: Ball,
+    size: f64,
+    turns: [bool; 3],
+    /// Prepared where the links between d, e, f do not depend on the pose.
+    place: Option<Place>,
+}
+
+/// A position problem in three joints.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Turns(Three),
+    Slides(slides::Three),
+}
+
+impl Place {
+    fn new(turns: [bool; 3], first: &Pose, second: &Pose, size: f64) -> Option<Self> {
+        if turns == [true; 3] {
+            let normals = (Normal::of(first, size), Normal::of(second, size));
+            return Three::new(&normals.0, &normals.1).map(Self::Turns);
+        }
+        slides::Three::new(turns, first, second, size).map(Self::Slides)
+    }
+
+    #[inline]
+    fn solve(&self, place: [f64; 3], point: [f64; 3], slack: f64, out: &mut Reaches) {
+        match self {
+            Self::Turns(three) => three.solve(place, point, slack, out),
+            Self::Slides(three) => three.solve(place, point, slack, out),
+        }
+    }
+}
+
+/// Prepares an arm of the class.
+pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn Prepared>> {
+    let Class::Spherical { first } = class else {
+        return None;
+    };
+    let links: [Pose; 6] = arm.links().try_into().ok()?;
+    let (one, two) = (
+        Normal::of(&links[first], arm.size()),
+        Normal::of(&links[first + 1], arm.size()),
+    );
+    let turns = [3, 4, 5].map(|ahead| arm.turns()[(first + ahead) % 6]);
+    let link = |ahead: usize| &links[(first + ahead) % 6];
+    let fixed = matches!(first, 0 | 3);
+    let place = Place::new(turns, link(3), link(4), arm.size());
+    if fixed && place.is_none() {
+        return None;
+    }
+    Some(Arc::new(Spherical {
+        first,
+        point_a: Point3::new(0.0, 0.0, one.d),
+        point_c: Point3::new(0.0, 0.0, -two.e),
+        ball: Ball::new(&one, &two),
+        size: arm.size(),
+        turns,
+        place: place.filter(|_| fixed),
+        links,
+    }))
+}
+
+impl Prepared for Spherical {
+    fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
+        let mut links = [3, 4, 5, 6].map(|ahead| self.links[(self.first + ahead + 5) % 6]);
+        // Links K_0 .. K_3 follow joints c, d, e, f; the pose closes the loop behind joint 6.
+        let closing = (9 - self.first) % 6;
+        if let Some(link) = links.get_mut(closing) {
+            *link *= target.inverse();
+        }
+        let place = match &self.place {
+            Some(place) => *place,
+            None => match Place::new(self.turns, &links[1], &links[2], self.size) {
+                Some(place) => place,
+                None => return,
+            },
+        };
+        let goal = links[0].inverse_transform_point(&self.point_c);
+        let point = links[3].transform_point(&self.point_a);
+        let mut reaches = Reaches::new();
+        place.solve(
+            goal.coords.into(),
+            point.coords.into(),
+            sink.slack(),
+            &mut reaches,
+        );
+        if let Some(shortfall) = reaches.shortfall {
+            sink.fail(self.part(shortfall.part), shortfall.amount);
+        }
+        let rotations = links.map(|link| link.rotation.into_inner());
+        for (index, reach) in reaches.as_slice().iter().enumerate() {
+            self.orient(&place, &rotations, reach, index, sink);
+        }
+    }
+}
+
+impl Spherical {
+    /// The words fit an arm with its wrist at the tool; elsewhere they are less specific.
+    fn part(&self, part: Part) -> Part {
+        match part {
+            Part::WristInside if self.first != 3 => Part::Inside,
+            Part::WristBeyond if self.first != 3 => Part::ElbowBeyond,
+            Part::WristTooNear if self.first != 3 => Part::ElbowTooNear,
+            part => part,
+        }
+    }
+
+    #[inline]
+    fn orient(
+        &self,
+        place: &Place,
+        links: &[Matrix3<f64>; 4],
+        reach: &Reach,
+        index: usize,
+        sink: &mut Sink<'_>,
+    ) {
+        let mut whole = links[0];
+        for ((&theta, &turns), link) in reach.theta.iter().zip(&self.turns).zip(&links[1..]) {
+            if turns {
+                turn_z(&mut whole, theta.sin_cos());
+            }
+            whole *= link;
+        }
+        let rotation = whole.transpose();
+        let turns = self.ball.solve(&rotation, sink.slack());
+        if let Some(shortfall) = turns.shortfall {
+            sink.fail(shortfall.part, shortfall.amount);
+        }
+        for turned in &turns.list[..turns.len] {
+            let branch = self.branch(place, reach, index, turned);
+            let marks = Marks {
+                multiplicity: reach.multiplicity * turned.multiplicity,
+                edge: reach.edge || turned.edge,
+                free: reach.free || turned.free,
+            };
+            sink.push(&self.displacements(reach, &turned.theta), branch, marks);
+            if sink.slack() > 0.0 && turned.edge {
+                for theta in self.ball.starts(&rotation, turned) {
+                    sink.push(&self.displacements(reach, &theta), branch, marks);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn displacements(&self, reach: &Reach, ball: &[f64; 3]) -> [f64; 6] {
+        let mut all = [0.0; 6];
+        for k in 0..3 {
+            all[(self.first + k) % 6] = ball[k];
+            all[(self.first + 3 + k) % 6] = reach.theta[k];
+        }
+        all
+    }
+
+    #[inline]
+    fn branch(&self, place: &Place, reach: &Reach, index: usize, turned: &Turned) -> Branch {
+        let wrist = Some(if turned.flip {
+            Wrist::Flip
+        } else {
+            Wrist::NoFlip
+        });
+        let [front, bend] = reach.signs;
+        match place {
+            Place::Turns(three) if self.first == 3 && three.has_names() => {
+                let up = (bend == three.up_sign()) == front;
+                Branch {
+                    shoulder: Some(if front {
+                        Shoulder::Front
+                    } else {
+                        Shoulder::Back
+                    }),
+                    elbow: Some(if up { Elbow::Up } else { Elbow::Down }),
+                    wrist,
+                    root: 0,
+                }
+            }
+            _ => Branch {
+                wrist,
+                root: index as u8 + 1,
+                ..Branch::default()
+            },
+        }
+    }
+}
+
+/// `m Rz`
+#[inline]
+pub(super) fn turn_z(m: &mut Matrix3<f64>, (sin, cos): (f64, f64)) {
+    let (x, y): (Vector3<f64>, Vector3<f64>) = (m.column(0).into_owned(), m.column(1).into_owned());
+    m.set_column(0, &(x * cos + y * sin));
+    m.set_column(1, &(y * cos - x * sin));
+}

@@ -1,0 +1,249 @@
+//! Three axes through one point turn a body to an orientation.
+
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
+
+use super::TOLERANCES;
+use super::angle::{Roots, between};
+use super::normal::Normal;
+use super::reason::{Part, Shortfall};
+
+/// How rotations are represented while an orientation is solved; the answers are equal to rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Rotation matrices.
+    #[default]
+    Matrix,
+    /// Unit quaternions.
+    Quaternion,
+}
+
+/// `Rz(x1) R_1 Rz(x2) R_2 Rz(x3) = R`, with `R_i = Rz(phi) Rx(alpha) Rz(psi)`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball {
+    alpha: [(f64, f64); 2],
+    /// Whether both angles between neighbouring axes are right ones to the last bit.
+    right: bool,
+    shifts: [f64; 3],
+}
+
+/// One way to turn there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turned {
+    pub(super) theta: [f64; 3],
+    pub(super) flip: bool,
+    pub(super) multiplicity: u8,
+    pub(super) edge: bool,
+    /// The outer angles are determined only together.
+    pub(super) free: bool,
+}
+
+/// All ways: two, or one where they merge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turns {
+    pub(super) list: [Turned; 2],
+    pub(super) len: usize,
+    pub(super) shortfall: Option<Shortfall>,
+}
+
+impl Ball {
+    pub(super) fn new(first: &Normal, second: &Normal) -> Self {
+        Self {
+            alpha: [first.alpha, second.alpha],
+            right: first.alpha.1 == 0.0 && second.alpha.1 == 0.0,
+            shifts: [first.phi, first.psi + second.phi, second.psi],
+        }
+    }
+
+    /// Both ways to reach the rotation `r`.
+    #[inline]
+    pub(super) fn solve(&self, r: &Matrix3<f64>, slack: f64) -> Turns {
+        let [(s1, c1), (s2, c2)] = self.alpha;
+        let (x, y, z) = (r[(0, 2)], r[(1, 2)], r[(2, 2)]);
+        // Third column: Rz(x1) g with g = Rx(a1) Rz(x2) (0, -s2, c2). Its height gives cos x2; the sine comes from
+        // the length of its plane part, which keeps all digits where z is close to 1.
+        let product = s1 * s2;
+        let cosine = (c1 * c2 - z) / product;
+        let flat = x * x + y * y;
+        let square = if self.right {
+            flat
+        } else {
+            (flat - c1 * c1 - c2 * c2 + 2.0 * c1 * c2 * z) / (product * product)
+        };
+        let sines = self.sines(square, slack);
+        let mut turns = Turns {
+            list: [Turned {
+                theta: [0.0; 3],
+                flip: false,
+                multiplicity: if sines.len == 1 { 2 } else { 1 },
+                edge: sines.edge,
+                free: false,
+            }; 2],
+            len: sines.len,
+            shortfall: None,
+        };
+        if sines.len == 0 {
+            let excess = cosine.abs().max(1.0) - 1.0;
+            turns.shortfall = Some(Shortfall {
+                part: Part::Orientation,
+                amount: (2.0 * excess).sqrt().max(f64::MIN_POSITIVE),
+            });
+        }
+        for (turned, sine) in turns.list.iter_mut().zip(sines.iter()) {
+            // Flip: the middle joint bends to the negative side, as its own zero counts it.
+            turned.flip = sine < 0.0;
+            self.outer(r, (sine, cosine), turned);
+        }
+        if self.right && turns.len == 2 {
+            // Right angles: the other way turns both outer joints by half a turn.
+            let [a, b, c] = turns.list[0].theta;
+            let middle = b + self.shifts[1];
+            let pi = std::f64::consts::PI;
+            turns.list[1].theta = [a + pi, -middle - self.shifts[1], c + pi];
+        }
+        turns
+    }
+
+    /// The sines of the middle joint.
+    fn sines(&self, square: f64, slack: f64) -> Roots {
+        if self.right && slack == 0.0 {
+            // A sum of squares: only an exact alignment merges the two, and then it is a family.
+            let sine = square.sqrt();
+            let aligned = sine < TOLERANCES.free;
+            return Roots {
+                values: [if aligned { 0.0 } else { sine }, -sine],
+                len: if aligned { 1 } else { 2 },
+                edge: aligned,
+            };
+        }
+        Roots::of(square, slack)
+    }
+
+    /// Starts for Newton's method where the arm is nearly aligned and misses its class: the first joint may be
+    /// anywhere.
+    pub(super) fn starts(&self, r: &Matrix3<f64>, turned: &Turned) -> [[f64; 3]; 8] {
+        let middle = turned.theta[1] + self.shifts[1];
+        std::array::from_fn(|k| {
+            let first = k as f64 * std::f64::consts::FRAC_PI_4;
+            self.complete(r, first, middle.sin_cos())
+        })
+    }
+
+    /// The outer joints for a given middle one.
+    #[inline]
+    fn outer(&self, r: &Matrix3<f64>, (sine, cosine): (f64, f64), turned: &mut Turned) {
+        let [(s1, c1), (s2, c2)] = self.alpha;
+        let norm = sine.hypot(cosine);
+        let (sin, cos) = (sine / norm, cosine / norm);
+        let g = [s2 * sin, -c1 * s2 * cos - s1 * c2];
+        let plane = [r[(0, 2)], r[(1, 2)]];
+        let short = |v: [f64; 2]| v[0].abs().max(v[1].abs()) < TOLERANCES.free;
+        turned.free = short(g) || short(plane);
+        let first = if turned.free { 0.0 } else { between(g, plane) };
+        turned.theta = self.complete(r, first, (sin, cos));
+    }
+
+    /// The last joint for given others.
+    #[inline]
+    fn complete(&self, r: &Matrix3<f64>, first: f64, (sin, cos): (f64, f64)) -> [f64; 3] {
+        let [(s1, c1), (s2, c2)] = self.alpha;
+        // The last joint takes what is left of the whole rotation, so that an ill-determined first joint is made up
+        // for. M = Rz(x1) Rx(a1) Rz(x2) Rx(a2); its first two columns against those of R.
+        let (sf, cf) = first.sin_cos();
+        let u = [cos, c1 * sin, s1 * sin];
+        let v = [-sin * c2, c1 * cos * c2 - s1 * s2, s1 * cos * c2 + c1 * s2];
+        let spun = |w: [f64; 3]| [cf * w[0] - sf * w[1], sf * w[0] + cf * w[1], w[2]];
+        let (u, v) = (spun(u), spun(v));
+        let dot = |w: [f64; 3], j: usize| w[0] * r[(0, j)] + w[1] * r[(1, j)] + w[2] * r[(2, j)];
+        let last = (dot(v, 0) - dot(u, 1)).atan2(dot(u, 0) + dot(v, 1));
+        let [a, b, c] = self.shifts;
+        [first - a, sin.atan2(cos) - b, last - c]
+    }
+
+    /// [`Ball::solve`] by quaternions, for right angles; `None` otherwise.
+    ///
+    /// With `R = Rz(x1) Rx(+-90) Rz(x2) Rx(+-90) Rz(x3)` brought to the form `Rz Ry Rz`, the quaternion is
+    /// `(cos(b/2) cos((a+c)/2), sin(b/2) sin((c-a)/2), sin(b/2) cos((c-a)/2), cos(b/2) sin((a+c)/2))`:
+    /// sum and difference of the outer angles are two plane angles, the middle one the ratio of two lengths.
+    pub(super) fn solve_by_quaternions(&self, r: &Matrix3<f64>) -> Option<Turns> {
+        if !self.right {
+            return None;
+        }
+        let rotation = Rotation3::from_matrix_unchecked(*r);
+        let q = UnitQuaternion::from_rotation_matrix(&rotation);
+        let [(s1, _), (s2, _)] = self.alpha;
+        // Rx(s1 90) Rz(x) Rx(s2 90) = Rx(s1 90) Rz(x) Rx(-s1 90) Rx(s1 90 + s2 90) = Ry(-s1 x) Rx(0 or +-180).
+        let half_turn = if s1 == s2 {
+            // Rx(180) in front of the last turn: R Rx(-180) = Rz(a) Ry(b) Rz(-c).
+            UnitQuaternion::new_unchecked(Quaternion::new(0.0, -s1, 0.0, 0.0))
+        } else {
+            UnitQuaternion::identity()
+        };
+        let p = (q * half_turn).into_inner();
+        let mirror = if s1 == s2 { -1.0 } else { 1.0 };
+        let (sine, cosine) = (p.i.hypot(p.j), p.w.hypot(p.k));
+        let middle = 2.0 * sine.atan2(cosine);
+        let aligned = middle.sin().abs() < TOLERANCES.free;
+        let sum = 2.0 * p.k.atan2(p.w);
+        let difference = 2.0 * p.i.atan2(p.j);
+        let (a, c) = match (aligned, sine < cosine) {
+            (false, _) => (0.5 * (sum - difference), 0.5 * (sum + difference)),
+            (true, true) => (0.0, sum),
+            (true, false) => (0.0, difference),
+        };
+        let pi = std::f64::consts::PI;
+        let way = |a: f64, b: f64, c: f64| {
+            let theta = [a, -s1 * b, mirror * c];
+            let flip = theta[1].sin() < 0.0;
+            Turned {
+                theta: std::array::from_fn(|i| theta[i] - self.shifts[i]),
+                flip,
+                multiplicity: if aligned { 2 } else { 1 },
+                edge: aligned,
+                free: aligned,
+            }
+        };
+        let mut list = [way(a, middle, c), way(a + pi, -middle, c + pi)];
+        if list[0].flip && !aligned {
+            list.swap(0, 1);
+        }
+        Some(Turns {
+            list,
+            len: if aligned { 1 } else { 2 },
+            shortfall: None,
+        })
+    }
+}
+
+/// The rotations `(x1, x2, x3)` with `Rz(x1) Rx(+-90 deg) Rz(x2) Rx(+-90 deg) Rz(x3) = R`, both of them.
+///
+/// The orientation problem of an arm with a spherical wrist, `R_36 = R_03^T R_06`, by rotation matrices or by
+/// quaternions (same answers): `signs` are those of the two right angles. Where the middle angle is 0 or pi only the
+/// sum or difference of the outer ones is determined; then the first is 0 and both answers are equal.
+///
+/// ```
+/// use nalgebra::{Matrix3, Rotation3, Vector3};
+/// use pieper::ik::{Method, orientation};
+/// let z = |x| Rotation3::from_axis_angle(&Vector3::z_axis(), x);
+/// let x = |s: f64| Rotation3::from_axis_angle(&Vector3::x_axis(), s * std::f64::consts::FRAC_PI_2);
+/// let r: Rotation3<f64> = z(0.3) * x(-1.0) * z(0.9) * x(1.0) * z(-1.2);
+/// for method in [Method::Matrix, Method::Quaternion] {
+///     let [first, _] = orientation(r.matrix(), [-1.0, 1.0], method);
+///     assert!((first[0] - 0.3).abs() < 1e-12 && (first[1] - 0.9).abs() < 1e-12 && (first[2] + 1.2).abs() < 1e-12);
+/// }
+/// ```
+pub fn orientation(r: &Matrix3<f64>, signs: [f64; 2], method: Method) -> [[f64; 3]; 2] {
+    let ball = Ball {
+        alpha: signs.map(|sign| (1.0_f64.copysign(sign), 0.0)),
+        right: true,
+        shifts: [0.0; 3],
+    };
+    let turns = match method {
+        Method::Matrix => ball.solve(r, 0.0),
+        // Right angles by construction: the quaternion way always answers.
+        Method::Quaternion => ball
+            .solve_by_quaternions(r)
+            .unwrap_or_else(|| ball.solve(r, 0.0)),
+    };
+    let last = turns.len.saturating_sub(1);
+    [turns.list[0], turns.list[last]].map(|turned| turned.theta.map(super::angle::wrap))
+}

@@ -52,7 +52,7 @@ impl Triangle {
     /// `None` unless both links join parallel axes at a distance.
     pub(super) fn new(first: &Normal, second: &Normal) -> Option<Self> {
         let parallel = |link: &Normal| link.is_parallel() && !link.meets();
-        (parallel(first) && parallel(second)).then(|| Self {
+        (parallel(first) && parallel(second)).then_some(Self {
             lengths: [first.a, second.a],
             flips: [first.alpha.1, second.alpha.1],
             shifts: [first.phi, first.psi + second.phi, second.psi],

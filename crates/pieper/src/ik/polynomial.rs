@@ -33,7 +33,16 @@ impl RealRoots {
 }
 
 /// Coefficients in rising order.
-type Quartic = [f64; 5];
+pub(super) type Quartic = [f64; 5];
+
+/// Adds `factor * a * b` to a quartic, for `a` and `b` of degree at most two.
+pub(super) fn add_product(sum: &mut Quartic, factor: f64, a: &[f64; 3], b: &[f64; 3]) {
+    for (i, x) in a.iter().enumerate() {
+        for (j, y) in b.iter().enumerate() {
+            sum[i + j] += factor * x * y;
+        }
+    }
+}
 
 fn value(c: &Quartic, x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, a| sum * x + a)
@@ -101,7 +110,6 @@ fn bisect(c: &Quartic, mut low: f64, mut high: f64, at_low: f64) -> f64 {
 }
 
 /// All real roots of a quartic on the whole line, infinity apart.
-#[allow(dead_code, reason = "joints that slide need it next")]
 pub(super) fn real_roots(c: &Quartic, slack: f64) -> RealRoots {
     let touch = touch(slack);
     let mut all = roots_in_unit(c, 4, touch);

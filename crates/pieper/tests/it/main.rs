@@ -10,6 +10,7 @@ mod derivatives;
 mod descriptions;
 mod golden;
 mod hot_calls;
+mod ik;
 mod measures;
 mod motion;
 mod motion_tables;

@@ -1,0 +1,96 @@
+//! Inverse kinematics: forward kinematics closes, and the joint values that made a pose are among the answers.
+
+use crate::support::{arms, difference, random_joints};
+use pieper::ik::{Solutions, Solver, Status};
+use pieper::kinematics::tool_pose;
+use pieper::model::Chain;
+
+/// The largest difference of two joint vectors, angles modulo whole turns.
+pub(crate) fn distance(chain: &Chain, a: &[f64], b: &[f64]) -> f64 {
+    let gap = |(variable, (x, y)): (&pieper::model::Variable, (&f64, &f64))| {
+        let step = x - y;
+        if variable.kind.is_angular() {
+            (step - std::f64::consts::TAU * (step / std::f64::consts::TAU).round()).abs()
+        } else {
+            step.abs()
+        }
+    };
+    chain
+        .variables()
+        .iter()
+        .zip(a.iter().zip(b))
+        .map(gap)
+        .fold(0.0, f64::max)
+}
+
+/// Every solution closes to 1e-12, no two are the same, angles are wrapped; the family members close to 1e-9.
+pub(crate) fn check_closes(solver: &Solver, q: &[f64], found: &Solutions, what: &str) {
+    let chain = solver.chain();
+    let pose = tool_pose(chain, q).unwrap();
+    let scale = pose.translation.vector.amax().max(1.0);
+    for (index, solution) in found.iter().enumerate() {
+        let miss = difference(&tool_pose(chain, solution.q()).unwrap(), &pose);
+        assert!(
+            miss <= 1e-12 * scale,
+            "{what}: a solution misses by {miss:e}"
+        );
+        assert!(
+            (miss - solution.residual).abs() < 1e-14 * scale,
+            "{what}: residual says {}, measured {miss}",
+            solution.residual
+        );
+        for (value, variable) in solution.q().iter().zip(chain.variables()) {
+            let wrapped = -std::f64::consts::PI < *value && *value <= std::f64::consts::PI;
+            assert!(
+                wrapped || !variable.kind.is_angular(),
+                "{what}: {value} is not wrapped"
+            );
+        }
+        for other in &found.as_slice()[..index] {
+            let gap = distance(chain, solution.q(), other.q());
+            assert!(
+                gap > 1e-9,
+                "{what}: a solution is listed twice, {gap:e} apart at {:?}",
+                solution.q()
+            );
+        }
+    }
+}
+
+fn contains(solver: &Solver, q: &[f64], found: &Solutions, tolerance: f64) -> bool {
+    let near = |other: &[f64]| distance(solver.chain(), other, q) <= tolerance;
+    found.iter().any(|solution| near(solution.q()))
+        || found
+            .families()
+            .iter()
+            .any(|family| near(&solver.nearest_member(family, q).unwrap()))
+}
+
+/// Arms whose solver is a closed form.
+fn closed_forms() -> impl Iterator<Item = (&'static str, Solver)> {
+    arms()
+        .map(|(id, chain)| (id, Solver::new(&chain).unwrap()))
+        .filter(|(_, solver)| solver.choice().name != "numeric")
+}
+
+#[test]
+fn the_generating_joint_values_are_found() {
+    let mut random = fastrand::Rng::with_seed(11);
+    for (id, solver) in closed_forms().filter(|(_, solver)| solver.chain().dof() <= 6) {
+        let mut found = Solutions::default();
+        for round in 0..1000 {
+            let q = random_joints(solver.chain(), &mut random);
+            let pose = tool_pose(solver.chain(), &q).unwrap();
+            solver.solve_into(&pose, &mut found).unwrap();
+            let what = format!("{id} target {round} {q:?}");
+            assert_eq!(found.status(), Status::Solved, "{what}");
+            check_closes(&solver, &q, &found, &what);
+            let tolerance = 1e-8;
+            assert!(
+                contains(&solver, &q, &found, tolerance),
+                "{what}: not among {:?}",
+                found.as_slice()
+            );
+        }
+    }
+}

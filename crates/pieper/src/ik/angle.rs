@@ -34,8 +34,8 @@ pub(super) fn turned(v: [f64; 2], (sin, cos): (f64, f64)) -> [f64; 2] {
 /// Roots of `square = x^2` around zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Roots {
-    /// `+x` and `-x`; one of them where both are zero.
-    pub(super) values: [f64; 2],
+    /// `+x` and `-x`; one of them where both are zero; 0 between them where they are only starts.
+    pub(super) values: [f64; 3],
     pub(super) len: usize,
     /// The two are so close that rounding may have split or merged them.
     pub(super) edge: bool,
@@ -49,7 +49,7 @@ impl Roots {
     #[inline]
     pub(super) fn of(square: f64, slack: f64) -> Self {
         let none = Self {
-            values: [0.0; 2],
+            values: [0.0; 3],
             len: 0,
             edge: true,
         };
@@ -57,7 +57,7 @@ impl Roots {
         if square > allowed {
             let root = square.sqrt();
             return Self {
-                values: [root, -root],
+                values: [root, -root, 0.0],
                 len: 2,
                 edge: square < EDGE,
             };
@@ -68,8 +68,8 @@ impl Roots {
         if slack > 0.0 {
             let root = square.max(SLACK_REACH * slack).sqrt();
             return Self {
-                values: [root, -root],
-                len: 2,
+                values: [root, -root, 0.0],
+                len: 3,
                 edge: true,
             };
         }
@@ -78,7 +78,7 @@ impl Roots {
         }
         let root = square.sqrt();
         Self {
-            values: [root, -root],
+            values: [root, -root, 0.0],
             len: 2,
             edge: true,
         }
@@ -104,7 +104,7 @@ pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
     let (excess, ratio) = (c.abs() - length, c / length);
     let square = (length - c) * (length + c) / (length * length);
     let roots = Roots::of(square, slack);
-    let mut angles = [0.0; 2];
+    let mut angles = [0.0; 3];
     for (angle, root) in angles.iter_mut().zip(roots.values) {
         *angle = middle + root.atan2(ratio);
     }
@@ -120,7 +120,7 @@ pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
 /// What [`solve_linear`] finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LinearRoots {
-    pub(super) angles: [f64; 2],
+    pub(super) angles: [f64; 3],
     pub(super) len: usize,
     pub(super) edge: bool,
     /// By how much the right-hand side exceeds what the left can be.

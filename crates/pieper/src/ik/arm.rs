@@ -6,7 +6,7 @@ use super::angle::wrap;
 use super::solutions::JointVector;
 use crate::error::{Error, Result};
 use crate::kinematics;
-use crate::model::{Chain, Drive};
+use crate::model::{Chain, Drive, Variable};
 use crate::spatial::Pose;
 
 /// The most joints a solver takes: answers have a fixed size.
@@ -49,7 +49,13 @@ impl Arm {
                 .sum()
         };
         let whole = lengths(&links);
-        let between_axes = lengths(&links[..count - 1]);
+        let travel = |variable: &Variable| match (variable.kind.is_angular(), variable.limits) {
+            (true, _) => 0.0,
+            (false, Some(limits)) => limits.upper() - limits.lower(),
+            (false, None) => whole,
+        };
+        let slides: f64 = chain.variables().iter().map(travel).sum();
+        let between_axes = lengths(&links[..count - 1]) + slides;
         let positive = |x: f64, other: f64| if x > 0.0 { x } else { other };
         let size = positive(between_axes, positive(whole, 1.0));
         Ok(Self {
@@ -83,7 +89,7 @@ impl Arm {
         self.links.len()
     }
 
-    /// The sum of the distances between axes: what lengths are compared with.
+    /// The sum of the distances between axes and of the slides' ranges: what lengths are compared with.
     pub fn size(&self) -> f64 {
         self.size
     }

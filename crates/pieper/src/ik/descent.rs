@@ -84,6 +84,9 @@ pub(super) struct Descent {
     pub(super) error: f64,
 }
 
+/// A descent gives up after this many steps in a row without one percent of progress.
+const SLOW: usize = 30;
+
 /// The most damped steps; a start that converges at all needs 10 to 30.
 const DAMPED_STEPS: usize = 80;
 
@@ -100,7 +103,7 @@ pub(super) fn damped(arm: &Arm, start: &JointVector, target: &Pose, bounded: boo
     let mut damping = 1e-2;
     let mut slow = 0;
     for _ in 0..DAMPED_STEPS {
-        if error < 4.0 * f64::EPSILON || slow > 8 {
+        if error < 4.0 * f64::EPSILON || slow > SLOW {
             break;
         }
         let mut problem = pose_equations(arm, &columns, &missing);

@@ -28,17 +28,23 @@ const DUST: f64 = 8.0 * f64::EPSILON;
 impl Normal {
     /// The common normal of a link's axes, for an arm of this size.
     pub(super) fn of(link: &Pose, size: f64) -> Self {
+        Self::within(link, size, TOLERANCES.class)
+    }
+
+    /// The same with a tolerance of one's own: a link that contains the wanted pose is no part of the arm's class, and
+    /// must not be changed by more than [`Tolerances::merely`](super::Tolerances::merely).
+    pub(super) fn within(link: &Pose, size: f64, class: f64) -> Self {
         let m = link.rotation.matrix();
         let t = link.translation.vector;
         let sine = m[(0, 2)].hypot(m[(1, 2)]);
-        if sine < TOLERANCES.class {
-            return Self::parallel(link, sine, size);
+        if sine < class {
+            return Self::parallel(link, sine, size, class);
         }
         let phi = m[(0, 2)].atan2(-m[(1, 2)]);
         let (sin, cos) = crate::spatial::sin_cos_exact(phi);
         let e = -(cos * t.y - sin * t.x) / sine;
         let a = clean(cos * t.x + sin * t.y, size);
-        let meets = a.abs() < TOLERANCES.class * size;
+        let meets = a.abs() < class * size;
         let cosine = if m[(2, 2)].abs() < DUST {
             0.0
         } else {
@@ -56,11 +62,11 @@ impl Normal {
         }
     }
 
-    fn parallel(link: &Pose, sine: f64, size: f64) -> Self {
+    fn parallel(link: &Pose, sine: f64, size: f64, class: f64) -> Self {
         let m = link.rotation.matrix();
         let t = link.translation.vector;
         let a = clean(t.x.hypot(t.y), size);
-        let coincide = a < TOLERANCES.class * size;
+        let coincide = a < class * size;
         let phi = if coincide { 0.0 } else { t.y.atan2(t.x) };
         let (sin, cos) = phi.sin_cos();
         let flip = m[(2, 2)].signum();

@@ -109,10 +109,13 @@ struct Outer {
     edge: bool,
 }
 
-/// At most two times two of them, or eight candidates of a quartic.
+/// Two times two, or three times three starts where the arm misses its class.
+const MAX_OUTERS: usize = 12;
+
+/// All of them.
 #[derive(Clone, Copy, Debug)]
 struct Outers {
-    list: [Outer; 8],
+    list: [Outer; MAX_OUTERS],
     len: usize,
 }
 
@@ -166,15 +169,15 @@ impl Loop {
             edge: false,
         };
         let mut outers = Outers {
-            list: [empty; 8],
+            list: [empty; MAX_OUTERS],
             len: 0,
         };
         let (d_rows, f_rows) = ([&one.0, &two.0], [&one.1, &two.1]);
         if let Some(weights) = self.weights(d_rows) {
             let roots = self.combined(weights, f_rows, d_rows, sink);
-            for (&f, first) in roots.angles[..roots.len].iter().zip([true, false]) {
+            for (&f, first) in roots.angles[..roots.len].iter().zip([true, false, true]) {
                 let (inner, middle, cosine) = self.inner_d(f, sink);
-                for (root, second) in inner.iter().zip([true, false]) {
+                for (root, second) in inner.iter().zip([true, false, true]) {
                     let d = middle + root.atan2(cosine);
                     outers.push(Outer {
                         d,
@@ -186,9 +189,9 @@ impl Loop {
             }
         } else if let Some(weights) = self.weights(f_rows) {
             let roots = self.combined(weights, d_rows, f_rows, sink);
-            for (&d, first) in roots.angles[..roots.len].iter().zip([true, false]) {
+            for (&d, first) in roots.angles[..roots.len].iter().zip([true, false, true]) {
                 let (inner, middle, cosine) = self.inner_f(d, sink);
-                for (root, second) in inner.iter().zip([true, false]) {
+                for (root, second) in inner.iter().zip([true, false, true]) {
                     let f = middle + root.atan2(cosine);
                     outers.push(Outer {
                         d,
@@ -266,7 +269,7 @@ impl Loop {
     fn cone_roots(&self, cone: &Cone, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
         let roots = if self.slack == 0.0 && cone.square.sqrt() < TOLERANCES.free {
             Roots {
-                values: [0.0; 2],
+                values: [0.0; 3],
                 len: 1,
                 edge: true,
             }
@@ -330,7 +333,7 @@ impl Loop {
         equation.add(1.0, &sine, &sine);
         equation.add(-1.0, &whole, &whole);
         let roots = equation.roots(self.slack);
-        for (index, &d) in roots.as_slice().iter().enumerate() {
+        for (index, &(d, count)) in roots.as_slice().iter().enumerate() {
             let at = d.sin_cos();
             let sign = 1.0_f64.copysign(determinant);
             let f = (sign * sine.at(at)).atan2(sign * cosine.at(at));
@@ -339,7 +342,7 @@ impl Loop {
                 d,
                 f,
                 signs,
-                multiplicity: 1,
+                multiplicity: count,
                 edge: true,
             });
         }

@@ -43,7 +43,7 @@ pub(super) struct Bent {
 /// Both ways.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bends {
-    pub(super) list: [Bent; 2],
+    pub(super) list: [Bent; 3],
     pub(super) len: usize,
     pub(super) shortfall: Option<Shortfall>,
 }
@@ -83,7 +83,7 @@ impl Triangle {
             free: reach < TOLERANCES.free * long,
         };
         let mut bends = Bends {
-            list: [empty; 2],
+            list: [empty; 3],
             len: roots.len,
             shortfall: None,
         };
@@ -92,7 +92,12 @@ impl Triangle {
         } else if reach < short {
             bends.fail(Part::ElbowTooNear, short - reach);
         }
-        for ((bent, root), sign) in bends.list.iter_mut().zip(roots.iter()).zip([true, false]) {
+        for ((bent, root), sign) in bends
+            .list
+            .iter_mut()
+            .zip(roots.iter())
+            .zip([true, false, true])
+        {
             let middle = root.atan2(cosine);
             let (sin, cos) = middle.sin_cos();
             let elbow = [a + b * cos, self.flips[0] * b * sin];

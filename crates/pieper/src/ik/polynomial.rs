@@ -2,32 +2,43 @@
 
 use super::TOLERANCES;
 
-/// Real roots of a polynomial of degree at most four, and whether any is a touch rather than a crossing.
+/// Real roots of a polynomial of degree at most four.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RealRoots {
-    values: [f64; 16],
+    /// Each with the number of roots it stands for: 2 where the function touches zero, or comes so close to it
+    /// without crossing that rounding decides.
+    values: [(f64, u8); 16],
     len: usize,
-    /// The function comes so close to zero without crossing that rounding decides.
-    pub(super) touches: bool,
 }
 
 impl RealRoots {
     fn new() -> Self {
         Self {
-            values: [0.0; 16],
+            values: [(0.0, 1); 16],
             len: 0,
-            touches: false,
         }
     }
 
-    fn push(&mut self, x: f64) {
+    fn push(&mut self, x: f64, count: u8) {
         if self.len < self.values.len() {
-            self.values[self.len] = x;
+            self.values[self.len] = (x, count);
             self.len += 1;
         }
     }
 
-    pub(super) fn as_slice(&self) -> &[f64] {
+    /// Adds a root unless it is there already, modulo `period`: found from both sides of a border.
+    fn push_once(&mut self, x: f64, count: u8, period: f64) {
+        let same = |&(y, _): &(f64, u8)| {
+            let gap = x - y;
+            let gap = gap - period * (gap / period).round();
+            gap.abs() <= TOLERANCES.exact * x.abs().max(1.0)
+        };
+        if !self.as_slice().iter().any(same) {
+            self.push(x, count);
+        }
+    }
+
+    pub(super) fn as_slice(&self) -> &[(f64, u8)] {
         &self.values[..self.len]
     }
 }
@@ -52,6 +63,10 @@ fn derivative(c: &Quartic) -> Quartic {
     [c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4], 0.0]
 }
 
+/// The ends of the interval that [`roots_in_unit`] looks at: a little beyond 1, so that a root on the border of two
+/// intervals is found at least once.
+const BORDER: f64 = 1.0 + 1e-6;
+
 /// Roots in [-1, 1]: between neighbouring extrema, themselves found so, a polynomial is monotone.
 ///
 /// An extremum closer to zero than `touch` (relative to the coefficients) counts as a root.
@@ -62,19 +77,19 @@ fn roots_in_unit(c: &Quartic, degree: usize, touch: f64) -> RealRoots {
         return found;
     }
     let inner = roots_in_unit(&derivative(c), degree - 1, 0.0);
-    let mut from = -1.0;
-    for (index, &to) in inner.as_slice().iter().chain(&[1.0]).enumerate() {
+    let mut from = -BORDER;
+    for (index, &(to, _)) in inner.as_slice().iter().chain(&[(BORDER, 1)]).enumerate() {
         let (f, g) = (value(c, from), value(c, to));
         if f == 0.0 && index == 0 {
-            found.push(from);
+            found.push(from, 1);
         }
+        let extremum = index < inner.len;
         if g == 0.0 {
-            found.push(to);
+            found.push(to, if extremum { 2 } else { 1 });
         } else if f != 0.0 && (f < 0.0) != (g < 0.0) {
-            found.push(bisect(c, from, to, f));
-        } else if touch > 0.0 && index < inner.len && g.abs() < touch * scale {
-            found.push(to);
-            found.touches = true;
+            found.push(bisect(c, from, to, f), 1);
+        } else if extremum && g.abs() < touch * scale {
+            found.push(to, 2);
         }
         from = to;
     }
@@ -115,13 +130,12 @@ pub(super) fn real_roots(c: &Quartic, slack: f64) -> RealRoots {
     let mut all = roots_in_unit(c, 4, touch);
     let reversed = [c[4], c[3], c[2], c[1], c[0]];
     let outer = roots_in_unit(&reversed, 4, touch);
-    for &x in outer.as_slice() {
-        // +-1 belongs to the inner interval; 0 is infinity.
-        if x != 0.0 && x.abs() < 1.0 {
-            all.push(1.0 / x);
+    for &(x, count) in outer.as_slice() {
+        // 0 is infinity.
+        if x != 0.0 {
+            all.push_once(1.0 / x, count, f64::MAX);
         }
     }
-    all.touches |= outer.touches;
     all
 }
 
@@ -195,10 +209,9 @@ impl Quadratic {
                 k - c + cc,
             ];
             let half = roots_in_unit(&quartic, 4, touch(slack));
-            for &t in half.as_slice() {
-                all.push(middle + 2.0 * t.atan());
+            for &(t, count) in half.as_slice() {
+                all.push_once(middle + 2.0 * t.atan(), count, std::f64::consts::TAU);
             }
-            all.touches |= half.touches;
         }
         all
     }

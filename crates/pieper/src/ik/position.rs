@@ -27,6 +27,7 @@ pub(super) struct Three {
     shifts: [f64; 3],
     ends: [f64; 2],
     end_turn: f64,
+    miss: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,10 +85,13 @@ impl Reach {
     }
 }
 
-/// All ways, at most eight candidates.
+/// At most four ways, or eight starts for each of two of them.
+const MAX_REACHES: usize = 16;
+
+/// All ways.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reaches {
-    list: [Reach; 8],
+    list: [Reach; MAX_REACHES],
     len: usize,
     /// The smallest failure met.
     pub(super) shortfall: Option<Shortfall>,
@@ -97,7 +101,7 @@ impl Reaches {
     #[inline]
     pub(super) fn new() -> Self {
         Self {
-            list: [Reach::simple([true; 2], 1); 8],
+            list: [Reach::simple([true; 2], 1); MAX_REACHES],
             len: 0,
             shortfall: None,
         }
@@ -109,6 +113,12 @@ impl Reaches {
             self.list[self.len] = reach;
             self.len += 1;
         }
+    }
+
+    /// The last few.
+    pub(super) fn last_mut(&mut self, count: usize) -> Option<&mut [Reach]> {
+        let from = self.len.checked_sub(count)?;
+        self.list.get_mut(from..self.len)
     }
 
     pub(super) fn fail(&mut self, part: Part, amount: f64) {
@@ -152,7 +162,13 @@ impl Three {
             shifts: [first.phi, first.psi + second.phi, 0.0],
             ends: [first.d, second.e],
             end_turn: second.psi,
+            miss: first.miss.max(second.miss),
         })
+    }
+
+    /// How far the links miss what they are taken for.
+    pub(super) fn miss(&self) -> f64 {
+        self.miss
     }
 
     /// Whether the signs of an answer mean front or back and elbow up or down.
@@ -285,7 +301,7 @@ impl Problem {
         out.fail(Part::WristInside, side.abs() - distance);
         let (long, short) = (a2.abs() + self.radius, (a2.abs() - self.radius).abs());
         let product = 2.0 * a2 * self.radius;
-        for (root, front) in forward.iter().zip([true, false]) {
+        for (root, front) in forward.iter().zip([true, false, true]) {
             let u = root * scale - a1;
             let reach = u.hypot(v);
             out.fail(Part::WristBeyond, reach - long);
@@ -306,7 +322,7 @@ impl Problem {
                 / (product * product);
             let cosine = (u * u + v * v - a2 * a2 - self.radius * self.radius) / product;
             let bends = Roots::of(square, self.slack);
-            for (bend, sign) in bends.iter().zip([true, false]) {
+            for (bend, sign) in bends.iter().zip([true, false, true]) {
                 // At the boundary the cosine may exceed 1 by rounding; the angle does not mind.
                 let theta3 = bend.atan2(cosine);
                 let (sin, cos) = theta3.sin_cos();
@@ -388,7 +404,7 @@ impl Problem {
             (square.k - third.length).max(0.0).sqrt() - distance,
         );
         let y = self.forearm();
-        for (&theta3, sign) in third.angles[..third.len].iter().zip([true, false]) {
+        for (&theta3, sign) in third.angles[..third.len].iter().zip([true, false, true]) {
             let at = theta3.sin_cos();
             let y = [y[0].at(at), y[1].at(at), y[2].at(at)];
             let v = (pz - c1 * y[2]) / s1;
@@ -399,7 +415,7 @@ impl Problem {
                 self.slack,
             );
             out.fail(Part::WristInside, v.abs() - across);
-            for (root, front) in roots.iter().zip([true, false]) {
+            for (root, front) in roots.iter().zip([true, false, true]) {
                 let merged = usize::from(roots.len == 1) + usize::from(third.len == 1);
                 let reach = Reach {
                     edge: roots.edge || third.edge,
@@ -443,12 +459,12 @@ impl Problem {
         if roots.as_slice().is_empty() {
             out.fail(Part::WristBeyond, self.distance_outside(&square));
         }
-        for (index, &theta3) in roots.as_slice().iter().enumerate() {
+        for (index, &(theta3, count)) in roots.as_slice().iter().enumerate() {
             let at = theta3.sin_cos();
             let x = [far.at(at) / (2.0 * a1), high.at(at) / s1];
             let reach = Reach {
                 edge: true,
-                ..Reach::simple([index & 2 == 0, index & 1 == 0], 1)
+                ..Reach::simple([index & 2 == 0, index & 1 == 0], count)
             };
             self.finish(
                 [y[0].at(at), y[1].at(at)],

@@ -17,6 +17,11 @@ pub trait Prepared: fmt::Debug + Send + Sync {
     /// Proposes every solution of `Z_1 L_1 ... Z_m L_m = target` (links of the arm, target seen from the first
     /// axis), or says what fails. Must not allocate.
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>);
+
+    /// How far the arm misses what this solver takes it for, beyond the miss of its class; relative.
+    fn slack(&self) -> f64 {
+        0.0
+    }
 }
 
 /// An arm's prepared solver, and the class it is solved as.
@@ -75,6 +80,7 @@ pub(super) fn choose(arm: &Arm, structure: &Structure) -> Option<Choice> {
         .flat_map(|&(class, miss)| ROWS.iter().map(move |row| (row, class, miss)));
     for (row, class, miss) in pairs {
         if let Some(solver) = (row.prepare)(arm, structure, class) {
+            let miss = miss.max(solver.slack());
             return Some(Choice {
                 name: row.name,
                 class,

@@ -30,6 +30,9 @@ impl Marks {
     };
 }
 
+/// Starts of the search of last resort.
+const RESCUE_STARTS: usize = 40;
+
 /// Collects a row's proposals: verifies them on the true model, refines what misses by a hair, merges roots that
 /// coincide and recognises families.
 #[derive(Debug)]
@@ -98,7 +101,14 @@ impl<'a> Sink<'a> {
         let mut refined = false;
         let rough = |turn: f64, shift: f64, limit: f64| !(turn <= limit && shift <= limit * extent);
         if rough(turn, shift, TOLERANCES.rounding) {
-            (q, _) = newton(self.arm, &q, self.pose, None);
+            let start = q;
+            (q, _) = newton(self.arm, &start, self.pose, None);
+            (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
+            if self.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
+                // Near a singularity Newton's steps overshoot; damped ones do not.
+                let near = descent::damped(self.arm, &start, self.pose, false);
+                (q, _) = newton(self.arm, &near.q, self.pose, None);
+            }
             self.arm.wrap(&mut q);
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
             refined = true;
@@ -153,24 +163,50 @@ impl<'a> Sink<'a> {
             if refined && distance < TOLERANCES.same {
                 return true;
             }
-            let mut middle = listed.q;
-            let step = curve::difference(self.arm, &listed.q, &solution.q);
-            for (j, value) in middle.iter_mut().enumerate().take(self.arm.chain().dof()) {
-                *value += 0.5 * step[j] * self.arm.unit(j);
-            }
-            self.arm.wrap(&mut middle);
-            let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);
-            let limit = TOLERANCES.rounding;
-            if turn <= limit && shift <= limit * self.arm.extent() {
+            if let Some((middle, residual)) = self.common(&listed.q, &solution.q, distance) {
                 let kept = &mut self.out.list[index];
                 kept.q = middle;
-                kept.residual = turn.max(shift);
+                kept.residual = residual;
                 kept.multiplicity = kept.multiplicity.saturating_add(solution.multiplicity);
                 kept.within_limits = super::limits::within(self.arm.chain(), &middle);
                 return true;
             }
         }
         false
+    }
+
+    /// A root between two roots that are so close that rounding cannot tell them apart, and its residual.
+    #[cold]
+    fn common(
+        &self,
+        a: &JointVector,
+        b: &JointVector,
+        distance: f64,
+    ) -> Option<(JointVector, f64)> {
+        let mut middle = *a;
+        let step = curve::difference(self.arm, a, b);
+        for (j, value) in middle.iter_mut().enumerate().take(self.arm.chain().dof()) {
+            *value += 0.5 * step[j] * self.arm.unit(j);
+        }
+        // The line between two points of a curved valley leaves its floor: Newton's method leads back to it.
+        for improve in [false, true] {
+            if improve {
+                (middle, _) = newton(self.arm, &middle, self.pose, None);
+            }
+            self.arm.wrap(&mut middle);
+            let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);
+            let limit = TOLERANCES.rounding;
+            let between = [a, b]
+                .iter()
+                .all(|end| self.distance(end, &middle) < 0.9 * distance);
+            if (between || distance < TOLERANCES.same)
+                && turn <= limit
+                && shift <= limit * self.arm.extent()
+            {
+                return Some((middle, turn.max(shift)));
+            }
+        }
+        None
     }
 
     /// Adds the family through a solution, if there is one; true also if it is listed already.
@@ -219,8 +255,33 @@ impl<'a> Sink<'a> {
         }
     }
 
-    /// Whether anything was proposed that does not close.
-    pub(super) fn finish(self) {
+    /// Roots by search, where the arm misses its class and none of the class's roots led to one: near several
+    /// singularities at once a hair of a miss moves roots far.
+    #[cold]
+    fn rescue(&mut self) {
+        for index in 0..RESCUE_STARTS {
+            let start = super::numeric::start(self.arm, index);
+            let mut found = descent::damped(self.arm, &start, self.pose, false);
+            self.arm.wrap(&mut found.q);
+            if found.error < TOLERANCES.class {
+                let marks = Marks {
+                    edge: true,
+                    ..Marks::PLAIN
+                };
+                let branch = Branch {
+                    root: self.out.len as u8 + 1,
+                    ..Branch::default()
+                };
+                self.push_joints(found.q, branch, marks);
+            }
+        }
+    }
+
+    /// Draws the conclusion.
+    pub(super) fn finish(mut self) {
+        if self.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
+            self.rescue();
+        }
         let out = self.out;
         out.status = match (out.family_count, out.len) {
             (0, 0) => Status::Unreachable,
@@ -229,7 +290,7 @@ impl<'a> Sink<'a> {
             _ => Status::Singular,
         };
         if out.status == Status::Unreachable {
-            out.reason = self.shortfall.filter(|_| true);
+            out.reason = self.shortfall;
             if self.rejected && out.reason.is_none() {
                 out.reason = Some(Shortfall {
                     part: Part::NoneCloses,

@@ -4,10 +4,11 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::TOLERANCES;
 use super::angle::{between, solve_linear};
+use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic, Quartic, add_product, real_roots};
 use super::position::{Reach, Reaches};
 use super::reason::Part;
-use crate::spatial::Pose;
+use crate::spatial::{Pose, shift};
 
 /// `M_1 L_1 M_2 L_2 M_3 p = P`, each `M` a turn about z or a slide along it, at least one of them a slide.
 ///
@@ -32,7 +33,7 @@ impl Three {
     /// Prepares two links; `None` for three joints that turn, and for slides that do not span space.
     pub(super) fn new(turns: [bool; 3], first: &Pose, second: &Pose, size: f64) -> Option<Self> {
         let reversed = matches!(turns, [false, true, true] | [true, false, false]);
-        let three = if reversed {
+        let mut three = if reversed {
             Self {
                 turns: [turns[2], turns[1], turns[0]],
                 first: second.inverse(),
@@ -47,6 +48,13 @@ impl Three {
                 reversed,
             }
         };
+        if three.turns[0] {
+            // What the link shifts along axis 2 belongs behind joint 2: axes that meet then have no lever.
+            let along = Normal::within(&three.first, size, TOLERANCES.merely).e;
+            let z = Vector3::new(0.0, 0.0, along);
+            three.first *= shift(-z);
+            three.second = shift(z) * three.second;
+        }
         let spans = match three.turns {
             [true, true, true] => false,
             [false, false, false] => three.directions().determinant().abs() > TOLERANCES.class,
@@ -122,6 +130,9 @@ impl Three {
     }
 }
 
+/// A distance found from squares is lost in their rounding below the root of it, relative.
+const NEAR_AXIS: f64 = 3e-8;
+
 /// The problem with the origin of link 1 at the height of axis 1's.
 struct Problem<'a> {
     three: &'a Three,
@@ -161,7 +172,7 @@ impl Problem<'_> {
     }
 
     /// Joint 1 from `X`, both seen along its axis; then all three.
-    fn finish(&self, x: &Vector3<f64>, second: f64, third: f64, edge: bool, out: &mut Reaches) {
+    fn finish(&self, x: &Vector3<f64>, second: f64, third: f64, count: u8, out: &mut Reaches) {
         let at = self.three.first.rotation * x + self.flat;
         let (from, to) = ([at.x, at.y], [self.place.x, self.place.y]);
         let short = |v: [f64; 2]| v[0].hypot(v[1]) < TOLERANCES.free * self.scale;
@@ -172,9 +183,9 @@ impl Problem<'_> {
         };
         out.push(Reach {
             theta: [first, second, third],
-            edge,
+            edge: true,
             free,
-            ..Reach::simple([true; 2], 1)
+            ..Reach::simple([true; 2], count)
         });
     }
 
@@ -184,15 +195,21 @@ impl Problem<'_> {
         y: &Vector3<f64>,
         along: &Vector3<f64>,
         wanted: f64,
-        third: f64,
+        (third, count): (f64, u8),
         out: &mut Reaches,
     ) {
         let c = along.x * y.x + along.y * y.y;
         let s = along.y * y.x - along.x * y.y;
-        if c.hypot(s) < TOLERANCES.free * self.scale {
-            // The point lies on axis 2: joint 2 does not move it.
-            if wanted.abs() < TOLERANCES.closes * self.scale {
-                self.finish(y, 0.0, third, true, out);
+        let length = c.hypot(s);
+        if length < NEAR_AXIS * self.scale && length + wanted.abs() < 4.0 * NEAR_AXIS * self.scale {
+            // The point lies on axis 2, or so close to it that its direction is lost in the rounding of distances:
+            // joint 2 may stand anywhere, or Newton's method finds out where.
+            for k in 0..8 {
+                let second = f64::from(k) * std::f64::consts::FRAC_PI_4;
+                self.finish(y, second, third, count, out);
+            }
+            if let Some(last) = out.last_mut(8) {
+                last.iter_mut().for_each(|reach| reach.free = true);
             }
             return;
         }
@@ -201,7 +218,8 @@ impl Problem<'_> {
         for &angle in &roots.angles[..roots.len] {
             let (sin, cos) = angle.sin_cos();
             let x = Vector3::new(cos * y.x - sin * y.y, sin * y.x + cos * y.y, y.z);
-            self.finish(&x, angle, third, roots.edge, out);
+            let count = if roots.len == 1 { 2 * count } else { count };
+            self.finish(&x, angle, third, count, out);
         }
     }
 
@@ -219,19 +237,25 @@ impl Problem<'_> {
         ];
         let high = [self.place.z - up.z * y.z, -up.z * step.z, 0.0];
         let determinant = lever.x * up.y - lever.y * up.x;
-        if across(&lever) < TOLERANCES.class * self.scale {
+        if across(&lever) < TOLERANCES.merely * self.scale {
             let mut distance = [0.0; 5];
             distance[0] = square[0] - self.wanted();
             distance[1..3].copy_from_slice(&square[1..]);
-            for &slide in real_roots(&distance, self.slack).as_slice() {
+            for &(slide, count) in real_roots(&distance, self.slack).as_slice() {
                 let y = y + step * slide;
                 let wanted = high[0] + high[1] * slide;
-                self.turn_second(&y, &up, wanted, slide * self.scale, out);
+                self.turn_second(&y, &up, wanted, (slide * self.scale, count), out);
             }
-        } else if across(&up) < TOLERANCES.class {
+        } else if across(&up) < TOLERANCES.merely {
             let slide = -high[0] / high[1];
             let wanted = far[0] + slide * (far[1] + slide * far[2]);
-            self.turn_second(&(y + step * slide), &lever, wanted, slide * self.scale, out);
+            self.turn_second(
+                &(y + step * slide),
+                &lever,
+                wanted,
+                (slide * self.scale, 1),
+                out,
+            );
         } else {
             let mut x = [[0.0; 3]; 2];
             for k in 0..3 {
@@ -244,7 +268,7 @@ impl Problem<'_> {
                 let linear = [y[side], step[side], 0.0];
                 add_product(&mut equation, -1.0, &linear, &linear);
             }
-            for &slide in real_roots(&equation, self.slack).as_slice() {
+            for &(slide, count) in real_roots(&equation, self.slack).as_slice() {
                 let at = |p: &[f64; 3]| p[0] + slide * (p[1] + slide * p[2]);
                 let y = y + step * slide;
                 let x = Vector3::new(at(&x[0]), at(&x[1]), y.z);
@@ -252,7 +276,7 @@ impl Problem<'_> {
                     &x,
                     between([y.x, y.y], [x.x, x.y]),
                     slide * self.scale,
-                    true,
+                    count,
                     out,
                 );
             }
@@ -280,7 +304,7 @@ impl Problem<'_> {
         }
         equation.add(2.0, &along_lever, &one);
         equation.add(-self.wanted(), &one, &one);
-        if up.z.abs() > TOLERANCES.class {
+        if up.z.abs() > TOLERANCES.merely {
             let slide = Linear {
                 k: self.place.z / up.z,
                 ..Linear::default()
@@ -289,11 +313,11 @@ impl Problem<'_> {
             equation.add(2.0, &slide, &y[2]);
             equation.add(1.0, &slide, &slide);
             equation.add(2.0 * lever.z, &slide, &one);
-            for &third in equation.roots(self.slack).as_slice() {
+            for &(third, count) in equation.roots(self.slack).as_slice() {
                 let at = third.sin_cos();
                 let slide = slide.at(at);
                 let x = Vector3::new(y[0].at(at), y[1].at(at), y[2].at(at) + slide);
-                self.finish(&x, slide, third, true, out);
+                self.finish(&x, slide, third, count, out);
             }
             return;
         }
@@ -309,12 +333,12 @@ impl Problem<'_> {
             let y = Vector3::new(y[0].at(at), y[1].at(at), y[2].at(at));
             let rest = y.norm_squared() + 2.0 * lever.dot(&y) - self.wanted();
             let equation = [rest, 2.0 * (y.z + lever.z), 1.0];
-            self.quadratic(&equation, out, |slide, out| {
+            self.quadratic(&equation, out, |slide, count, out| {
                 self.finish(
                     &(y + Vector3::new(0.0, 0.0, slide)),
                     slide,
                     third,
-                    true,
+                    count,
                     out,
                 );
             });
@@ -345,14 +369,14 @@ impl Problem<'_> {
             2.0 * (flat(&x0, &x1) - flat(&y0, &y1)),
             flat(&x1, &x1) - flat(&y1, &y1),
         ];
-        self.quadratic(&equation, out, |slide, out| {
+        self.quadratic(&equation, out, |slide, count, out| {
             let (x, at) = (x0 + x1 * slide, y0 + y1 * slide);
             let third = if by_height {
                 slide
             } else {
                 (at - y).dot(&step)
             };
-            self.finish(&x, between([at.x, at.y], [x.x, x.y]), third, true, out);
+            self.finish(&x, between([at.x, at.y], [x.x, x.y]), third, count, out);
         });
     }
 
@@ -377,7 +401,8 @@ impl Problem<'_> {
             let at = third.sin_cos();
             let slide = -along.at(at) / slope.norm_squared();
             let point = Vector3::new(y[0].at(at), y[1].at(at), y[2].at(at) + slide);
-            self.finish(&point, slide, third, roots.edge, out);
+            let count = if roots.len == 1 { 2 } else { 1 };
+            self.finish(&point, slide, third, count, out);
         }
     }
 
@@ -394,15 +419,15 @@ impl Problem<'_> {
     }
 
     /// Calls `found` with every root of a quadratic.
-    fn quadratic(&self, c: &[f64; 3], out: &mut Reaches, found: impl Fn(f64, &mut Reaches)) {
+    fn quadratic(&self, c: &[f64; 3], out: &mut Reaches, found: impl Fn(f64, u8, &mut Reaches)) {
         let s = self.scale;
         let scaled = [c[0], c[1] * s, c[2] * s * s, 0.0, 0.0];
         let roots = real_roots(&scaled, self.slack);
         if roots.as_slice().is_empty() {
             out.fail(Part::Slides, f64::MIN_POSITIVE);
         }
-        for &root in roots.as_slice() {
-            found(root * s, out);
+        for &(root, count) in roots.as_slice() {
+            found(root * s, count, out);
         }
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
+use super::TOLERANCES;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
@@ -44,9 +45,17 @@ enum Place {
 }
 
 impl Place {
-    fn new(turns: [bool; 3], first: &Pose, second: &Pose, size: f64) -> Option<Self> {
+    fn new(
+        turns: [bool; 3],
+        first: &Pose,
+        second: &Pose,
+        (size, class): (f64, f64),
+    ) -> Option<Self> {
         if turns == [true; 3] {
-            let normals = (Normal::of(first, size), Normal::of(second, size));
+            let normals = (
+                Normal::within(first, size, class),
+                Normal::within(second, size, class),
+            );
             return Three::new(&normals.0, &normals.1).map(Self::Turns);
         }
         slides::Three::new(turns, first, second, size).map(Self::Slides)
@@ -74,7 +83,7 @@ pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn 
     let turns = [3, 4, 5].map(|ahead| arm.turns()[(first + ahead) % 6]);
     let link = |ahead: usize| &links[(first + ahead) % 6];
     let fixed = matches!(first, 0 | 3);
-    let place = Place::new(turns, link(3), link(4), arm.size());
+    let place = Place::new(turns, link(3), link(4), (arm.size(), TOLERANCES.class));
     if fixed && place.is_none() {
         return None;
     }
@@ -91,6 +100,13 @@ pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn 
 }
 
 impl Prepared for Spherical {
+    fn slack(&self) -> f64 {
+        match &self.place {
+            Some(Place::Turns(three)) => three.miss(),
+            _ => 0.0,
+        }
+    }
+
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
         let mut links = [3, 4, 5, 6].map(|ahead| self.links[(self.first + ahead + 5) % 6]);
         // Links K_0 .. K_3 follow joints c, d, e, f; the pose closes the loop behind joint 6.
@@ -100,7 +116,12 @@ impl Prepared for Spherical {
         }
         let place = match &self.place {
             Some(place) => *place,
-            None => match Place::new(self.turns, &links[1], &links[2], self.size) {
+            None => match Place::new(
+                self.turns,
+                &links[1],
+                &links[2],
+                (self.size, TOLERANCES.merely),
+            ) {
                 Some(place) => place,
                 None => return,
             },

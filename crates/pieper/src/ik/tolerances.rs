@@ -8,6 +8,9 @@ pub struct Tolerances {
     pub class: f64,
     /// Misses below this are rounding of the description: a dozen operations on doubles.
     pub exact: f64,
+    /// Axes whose relation depends on the pose are taken for meeting or parallel within this, with Newton's
+    /// method to make up for it: closer, the general formulas lose as many digits as the special ones.
+    pub merely: f64,
     /// An angle is undetermined if a vector that should give it is shorter than this. The vector carries the
     /// rounding of the pose and of up to three matrix products, some 1e-15; roots at 1e-12 must still be told apart.
     pub free: f64,
@@ -30,6 +33,7 @@ pub struct Tolerances {
 pub const TOLERANCES: Tolerances = Tolerances {
     class: 1e-4,
     exact: 1e-12,
+    merely: 1e-9,
     free: 1e-13,
     rounding: 1e-14,
     closes: 1e-12,

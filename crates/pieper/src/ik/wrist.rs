@@ -37,10 +37,10 @@ pub(super) struct Turned {
     pub(super) free: bool,
 }
 
-/// All ways: two, or one where they merge.
+/// All ways: two, or one where they merge; three starts where the arm misses its class.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turns {
-    pub(super) list: [Turned; 2],
+    pub(super) list: [Turned; 3],
     pub(super) len: usize,
     pub(super) shortfall: Option<Shortfall>,
 }
@@ -77,7 +77,7 @@ impl Ball {
                 multiplicity: if sines.len == 1 { 2 } else { 1 },
                 edge: sines.edge,
                 free: false,
-            }; 2],
+            }; 3],
             len: sines.len,
             shortfall: None,
         };
@@ -110,7 +110,7 @@ impl Ball {
             let sine = square.sqrt();
             let aligned = sine < TOLERANCES.free;
             return Roots {
-                values: [if aligned { 0.0 } else { sine }, -sine],
+                values: [if aligned { 0.0 } else { sine }, -sine, 0.0],
                 len: if aligned { 1 } else { 2 },
                 edge: aligned,
             };
@@ -202,7 +202,8 @@ impl Ball {
                 free: aligned,
             }
         };
-        let mut list = [way(a, middle, c), way(a + pi, -middle, c + pi)];
+        let first = way(a, middle, c);
+        let mut list = [first, way(a + pi, -middle, c + pi), first];
         if list[0].flip && !aligned {
             list.swap(0, 1);
         }

@@ -1,5 +1,10 @@
 //! Inverse kinematics: forward kinematics closes, and the joint values that made a pose are among the answers.
 
+mod classes;
+mod hair;
+mod random_arms;
+mod singular;
+
 use crate::support::{arms, difference, random_joints};
 use pieper::ik::{Solutions, Solver, Status};
 use pieper::kinematics::tool_pose;

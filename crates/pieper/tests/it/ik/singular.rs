@@ -1,0 +1,131 @@
+//! At and near singular poses: no root lost, none listed twice, families recognised.
+
+use super::random_arms::sigma;
+use super::{check_closes, closed_forms, contains};
+use crate::support::{difference, random_joints};
+use pieper::ik::{Solutions, Solver, Status};
+use pieper::kinematics::tool_pose;
+use pieper::spatial::shift;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+fn solver(id: &str) -> Solver {
+    let chain = pieper_robots::find(id).unwrap().robot().chain().unwrap();
+    Solver::new(&chain).unwrap()
+}
+
+/// Joints whose value alone makes the arm singular: (arm, joint, value).
+fn singular_values() -> Vec<(&'static str, Solver, usize, f64)> {
+    let mut random = fastrand::Rng::with_seed(3);
+    let mut out = Vec::new();
+    for (id, solver) in closed_forms().filter(|(_, solver)| solver.chain().dof() == 6) {
+        for joint in 0..6 {
+            for value in [0.0, FRAC_PI_2, PI, -FRAC_PI_2] {
+                let mut q = random_joints(solver.chain(), &mut random);
+                q[joint] = value;
+                if sigma(&solver, &q) < 1e-12 {
+                    out.push((id, solver.clone(), joint, value));
+                }
+            }
+        }
+    }
+    assert!(out.len() > 40, "every wrist has one");
+    out
+}
+
+#[test]
+fn nearly_singular_roots_are_neither_lost_nor_doubled() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let mut found = Solutions::default();
+    for (id, solver, joint, value) in singular_values() {
+        for exponent in 3..=12 {
+            for _ in 0..10 {
+                let mut q = random_joints(solver.chain(), &mut random);
+                q[joint] = value + 10_f64.powi(-exponent);
+                let pose = tool_pose(solver.chain(), &q).unwrap();
+                solver.solve_into(&pose, &mut found).unwrap();
+                let what = format!("{id} joint {joint} at {value} + 1e-{exponent} {q:?}");
+                assert_ne!(found.status(), Status::Unreachable, "{what}");
+                check_closes(&solver, &q, &found, &what);
+                let tolerance = (1e-13 / sigma(&solver, &q)).max(1e-8);
+                assert!(
+                    contains(&solver, &q, &found, 10.0 * tolerance),
+                    "{what}: {:?}",
+                    found.as_slice()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn singular_poses_have_families_or_merged_roots() {
+    let mut random = fastrand::Rng::with_seed(6);
+    for (id, solver, joint, value) in singular_values() {
+        for _ in 0..3 {
+            let mut q = random_joints(solver.chain(), &mut random);
+            q[joint] = value;
+            let pose = tool_pose(solver.chain(), &q).unwrap();
+            let found = solver.solve(&pose).unwrap();
+            let what = format!("{id} joint {joint} at {value} {q:?}");
+            check_closes(&solver, &q, &found, &what);
+            assert!(contains(&solver, &q, &found, 1e-6), "{what}: {found:?}");
+            match found.status() {
+                Status::Solved => assert!(found.iter().any(|s| s.multiplicity > 1), "{what}"),
+                Status::Singular => {
+                    for family in found.families() {
+                        let samples = solver.samples(family, 12);
+                        assert_eq!(samples.len(), 12);
+                        for sample in samples {
+                            let miss =
+                                difference(&tool_pose(solver.chain(), &sample).unwrap(), &pose);
+                            assert!(miss < 1e-12, "{what}: a sample misses by {miss:e}");
+                        }
+                    }
+                }
+                status => panic!("{what}: {status:?}"),
+            }
+        }
+    }
+}
+
+/// The wrist centre of the AR3 brought to axis 1, or close to it.
+#[test]
+fn wrist_centre_near_axis_1() {
+    let solver = solver("ar3");
+    let mut random = fastrand::Rng::with_seed(9);
+    for _ in 0..20 {
+        let turn = tool_pose(solver.chain(), &random_joints(solver.chain(), &mut random))
+            .unwrap()
+            .rotation;
+        for exponent in [3, 6, 9, 12, 400] {
+            let offset = if exponent == 400 {
+                0.0
+            } else {
+                10_f64.powi(-exponent)
+            };
+            let centre = nalgebra::Vector3::new(offset, 0.0, 0.164 + 0.2 + 0.2 * random.f64());
+            let mut pose = shift(centre);
+            pose.rotation = turn;
+            pose.translation.vector += turn * nalgebra::Vector3::new(0.0, 0.0, 0.0);
+            let flange = turn * tool_axis(&solver) * 0.0777;
+            pose.translation.vector += flange;
+            let found = solver.solve(&pose).unwrap();
+            if offset == 0.0 {
+                assert_eq!(found.status(), Status::Singular, "{pose}");
+                assert!(found.families().len() >= 2);
+            } else {
+                assert_eq!(found.status(), Status::Solved, "{offset:e} {pose}");
+                assert_eq!(found.len(), 8, "{offset:e} {pose}");
+                for s in &found {
+                    assert!(s.residual < 1e-13);
+                }
+            }
+        }
+    }
+}
+
+/// The direction of the last axis in the tool's frame.
+fn tool_axis(solver: &Solver) -> nalgebra::Vector3<f64> {
+    let last = solver.chain().canonical().link(5);
+    last.rotation.inverse() * nalgebra::Vector3::z()
+}

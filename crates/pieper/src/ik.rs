@@ -29,6 +29,7 @@ mod nearest;
 mod normal;
 mod numeric;
 mod parallel;
+mod pending;
 mod planar;
 mod polynomial;
 mod position;

@@ -25,6 +25,33 @@ pub(super) fn between(from: [f64; 2], to: [f64; 2]) -> f64 {
     cross.atan2(dot)
 }
 
+/// Sine and cosine of [`between`], without computing the angle.
+#[inline]
+pub(super) fn turn_between(from: [f64; 2], to: [f64; 2]) -> (f64, f64) {
+    let cross = from[0] * to[1] - from[1] * to[0];
+    let dot = from[0] * to[0] + from[1] * to[1];
+    unit((cross, dot))
+}
+
+/// The pair divided by its length.
+#[inline]
+pub(super) fn unit((sin, cos): (f64, f64)) -> (f64, f64) {
+    let by = 1.0 / (sin * sin + cos * cos).sqrt();
+    (sin * by, cos * by)
+}
+
+/// Sine and cosine of the difference of two angles.
+#[inline]
+pub(super) fn back((sin, cos): (f64, f64), (s, c): (f64, f64)) -> (f64, f64) {
+    (sin * c - cos * s, cos * c + sin * s)
+}
+
+/// Sine and cosine of the sum of two angles.
+#[inline]
+pub(super) fn forth((sin, cos): (f64, f64), (s, c): (f64, f64)) -> (f64, f64) {
+    (sin * c + cos * s, cos * c - sin * s)
+}
+
 /// `v` turned by the angle with this sine and cosine.
 #[inline]
 pub(super) fn turned(v: [f64; 2], (sin, cos): (f64, f64)) -> [f64; 2] {

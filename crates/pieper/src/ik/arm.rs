@@ -6,7 +6,7 @@ use super::angle::wrap;
 use super::solutions::JointVector;
 use crate::error::{Error, Result};
 use crate::kinematics;
-use crate::model::{Chain, Drive, Variable};
+use crate::model::{Chain, Drive, Step, Variable};
 use crate::spatial::Pose;
 
 /// The most joints a solver takes: answers have a fixed size.
@@ -26,6 +26,7 @@ pub struct Arm {
     first_from_world: Pose,
     size: f64,
     extent: f64,
+    plain: bool,
 }
 
 impl Arm {
@@ -58,7 +59,10 @@ impl Arm {
         let between_axes = lengths(&links[..count - 1]) + slides;
         let positive = |x: f64, other: f64| if x > 0.0 { x } else { other };
         let size = positive(between_axes, positive(whole, 1.0));
+        let one_to_one = |step: &Step| step.drive.factor.abs() == 1.0 || !step.turns;
+        let plain = chain.dof() == count && canonical.steps.iter().all(one_to_one);
         Ok(Self {
+            plain,
             size,
             extent: whole.max(size) + canonical.base.translation.vector.norm(),
             turns: canonical.steps.iter().map(|step| step.turns).collect(),
@@ -102,6 +106,15 @@ impl Arm {
     /// Whether every step has a variable of its own; closed forms need that.
     pub fn is_independent(&self) -> bool {
         self.chain.dof() == self.steps() && self.drives.iter().all(|drive| drive.factor != 0.0)
+    }
+
+    pub(super) fn drives(&self) -> &[Drive] {
+        &self.drives
+    }
+
+    /// Whether every step has a variable of its own that counts displacements one to one, forwards or backwards.
+    pub(super) fn is_plain(&self) -> bool {
+        self.plain
     }
 
     /// A pose in the world as the target seen from the first axis.

@@ -1,10 +1,11 @@
 //! Three joints that turn bring a point to a place: Pieper's equations (Pieper 1968).
 
-use super::angle::{Roots, between, solve_linear, turned};
+use super::angle::{Roots, back, solve_linear, turn_between, turned, unit};
 use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
 use super::{Shortfall, TOLERANCES};
+use crate::spatial::sin_cos_exact;
 
 /// `Z_1 L_1 Z_2 L_2 Z_3 p = P` for given links, as `Tz(d1) Tx(a1) Rx(alpha1)` and `Tz(d2) Tx(a2) Rx(alpha2)` between
 /// suitably counted angles.
@@ -24,9 +25,9 @@ pub(super) struct Three {
     links: Links,
     reversed: bool,
     /// Counted from the given frames: angle shifts of the three joints, and the origins of `P` and `p` along axes 1, 3.
-    shifts: [f64; 3],
+    shifts: [(f64, f64); 3],
     ends: [f64; 2],
-    end_turn: f64,
+    end_turn: (f64, f64),
     miss: f64,
 }
 
@@ -62,7 +63,8 @@ impl Links {
 /// One way to bring the point there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reach {
-    pub(super) theta: [f64; 3],
+    /// Sine and cosine of a joint that turns; value and 0 of one that slides.
+    pub(super) turns: [(f64, f64); 3],
     /// The sign of the first choice (front), and of the second (elbow).
     pub(super) signs: [bool; 2],
     /// How many roots it stands for.
@@ -76,7 +78,7 @@ impl Reach {
     #[inline]
     pub(super) fn simple(signs: [bool; 2], multiplicity: u8) -> Self {
         Self {
-            theta: [0.0; 3],
+            turns: [(0.0, 1.0); 3],
             signs,
             multiplicity,
             edge: false,
@@ -159,9 +161,9 @@ impl Three {
             kind,
             links: if reversed { links.reversed() } else { links },
             reversed,
-            shifts: [first.phi, first.psi + second.phi, 0.0],
+            shifts: [first.phi, first.psi + second.phi, 0.0].map(sin_cos_exact),
             ends: [first.d, second.e],
-            end_turn: second.psi,
+            end_turn: sin_cos_exact(second.psi),
             miss: first.miss.max(second.miss),
         })
     }
@@ -186,7 +188,7 @@ impl Three {
     #[inline]
     pub(super) fn solve(&self, place: [f64; 3], point: [f64; 3], slack: f64, out: &mut Reaches) {
         let place = [place[0], place[1], place[2] - self.ends[0]];
-        let spun = turned([point[0], point[1]], self.end_turn.sin_cos());
+        let spun = turned([point[0], point[1]], self.end_turn);
         let point = [spun[0], spun[1], point[2] + self.ends[1]];
         let (place, point) = if self.reversed {
             (point, place)
@@ -194,10 +196,11 @@ impl Three {
             (place, point)
         };
         let before = out.len;
+        let radius = length([point[0], point[1]]);
         let problem = Problem {
             links: self.links,
             place,
-            radius: point[0].hypot(point[1]),
+            radius,
             height: point[2],
             slack,
         };
@@ -206,18 +209,28 @@ impl Three {
             Kind::Meeting => problem.meeting(out),
             Kind::Skew => problem.skew(out),
         }
-        let turn = point[1].atan2(point[0]);
+        let turn = if radius > 0.0 {
+            (point[1] / radius, point[0] / radius)
+        } else {
+            (0.0, 1.0)
+        };
         for reach in &mut out.list[before..out.len] {
-            reach.theta[2] -= turn;
+            reach.turns[2] = back(reach.turns[2], turn);
             if self.reversed {
-                let [x, y, z] = reach.theta;
-                reach.theta = [-z, -y, -x];
+                let [x, y, z] = reach.turns;
+                reach.turns = [z, y, x].map(|(sin, cos)| (-sin, cos));
             }
-            for (theta, shift) in reach.theta.iter_mut().zip(self.shifts) {
-                *theta -= shift;
+            for (turn, shift) in reach.turns.iter_mut().zip(self.shifts) {
+                *turn = back(*turn, shift);
             }
         }
     }
+}
+
+/// The length of a plane vector. Lengths of arms are far from where squares overflow.
+#[inline]
+fn length(v: [f64; 2]) -> f64 {
+    (v[0] * v[0] + v[1] * v[1]).sqrt()
 }
 
 /// The problem with the point at `(radius, 0, height)` behind joint 3 and `d1 = 0`.
@@ -231,7 +244,7 @@ struct Problem {
 
 /// A vector that should give an angle.
 struct Bearing {
-    angle: f64,
+    turn: (f64, f64),
     free: bool,
 }
 
@@ -246,12 +259,12 @@ impl Problem {
         let short = |v: [f64; 2]| v[0].abs().max(v[1].abs()) < TOLERANCES.free * scale;
         if short(from) || short(to) {
             return Bearing {
-                angle: 0.0,
+                turn: (0.0, 1.0),
                 free: true,
             };
         }
         Bearing {
-            angle: between(from, to),
+            turn: turn_between(from, to),
             free: false,
         }
     }
@@ -262,7 +275,7 @@ impl Problem {
         y: [f64; 2],
         x: [f64; 2],
         height: f64,
-        theta3: f64,
+        third: (f64, f64),
         mut reach: Reach,
         out: &mut Reaches,
     ) {
@@ -275,7 +288,7 @@ impl Problem {
         let second = self.bearing(y, x, scale);
         let around = [a1 + x[0], c1 * x[1] - s1 * height];
         let first = self.bearing(around, [self.place[0], self.place[1]], scale);
-        reach.theta = [first.angle, second.angle, theta3];
+        reach.turns = [first.turn, second.turn, third];
         reach.free |= first.free || second.free;
         out.push(reach);
     }
@@ -294,7 +307,7 @@ impl Problem {
         let height = d2 + flip * self.height;
         let v = (pz - c1 * height) / s1;
         let side = c1 * v - s1 * height;
-        let distance = px.hypot(py);
+        let distance = length([px, py]);
         let scale = self.scale();
         let square = (distance - side.abs()) * (distance + side.abs()) / (scale * scale);
         let forward = Roots::of(square, self.slack);
@@ -303,7 +316,7 @@ impl Problem {
         let product = 2.0 * a2 * self.radius;
         for (root, front) in forward.iter().zip([true, false, true]) {
             let u = root * scale - a1;
-            let reach = u.hypot(v);
+            let reach = length([u, v]);
             out.fail(Part::WristBeyond, reach - long);
             out.fail(Part::WristTooNear, short - reach);
             if self.radius < TOLERANCES.free * scale {
@@ -313,7 +326,7 @@ impl Problem {
                         free: true,
                         ..Reach::simple([front, true], 1 << usize::from(forward.len == 1))
                     };
-                    self.finish([a2, 0.0], [u, v], height, 0.0, reach, out);
+                    self.finish([a2, 0.0], [u, v], height, (0.0, 1.0), reach, out);
                 }
                 continue;
             }
@@ -324,15 +337,14 @@ impl Problem {
             let bends = Roots::of(square, self.slack);
             for (bend, sign) in bends.iter().zip([true, false, true]) {
                 // At the boundary the cosine may exceed 1 by rounding; the angle does not mind.
-                let theta3 = bend.atan2(cosine);
-                let (sin, cos) = theta3.sin_cos();
+                let (sin, cos) = unit((bend, cosine));
                 let y = [a2 + self.radius * cos, flip * self.radius * sin];
                 let merged = usize::from(forward.len == 1) + usize::from(bends.len == 1);
                 let reach = Reach {
                     edge: forward.edge || bends.edge,
                     ..Reach::simple([front, sign], 1 << merged)
                 };
-                self.finish(y, [u, v], height, theta3, reach, out);
+                self.finish(y, [u, v], height, (sin, cos), reach, out);
             }
         }
     }
@@ -422,7 +434,7 @@ impl Problem {
                     free: idle,
                     ..Reach::simple([front, sign], 1 << merged)
                 };
-                self.finish([y[0], y[1]], [root * scale, v], y[2], theta3, reach, out);
+                self.finish([y[0], y[1]], [root * scale, v], y[2], at, reach, out);
             }
         }
     }
@@ -466,14 +478,7 @@ impl Problem {
                 edge: true,
                 ..Reach::simple([index & 2 == 0, index & 1 == 0], count)
             };
-            self.finish(
-                [y[0].at(at), y[1].at(at)],
-                x,
-                y[2].at(at),
-                theta3,
-                reach,
-                out,
-            );
+            self.finish([y[0].at(at), y[1].at(at)], x, y[2].at(at), at, reach, out);
         }
     }
 

@@ -3,11 +3,13 @@
 use super::arm::{Arm, residuals};
 use super::curve;
 use super::descent::{self, newton};
+use super::pending::Pending;
 use super::reason::{Part, Shortfall};
 use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
 };
 use super::{MAX_JOINTS, TOLERANCES};
+use crate::kinematics::batch::GROUP;
 use crate::spatial::Pose;
 
 /// What a row knows about a proposal.
@@ -43,6 +45,7 @@ pub struct Sink<'a> {
     out: &'a mut Solutions,
     shortfall: Option<Shortfall>,
     rejected: bool,
+    pending: Pending,
 }
 
 impl<'a> Sink<'a> {
@@ -55,6 +58,7 @@ impl<'a> Sink<'a> {
             out,
             shortfall: None,
             rejected: false,
+            pending: Pending::new(),
         }
     }
 
@@ -93,9 +97,72 @@ impl<'a> Sink<'a> {
         self.push_joints(q, branch, marks);
     }
 
+    /// Proposes displacements by sine and cosine (up to a common positive factor) of each step that turns, value and
+    /// 0 of each that slides. The fast way: eight proposals are turned into angles and verified at once.
+    #[inline]
+    pub fn push_turns(&mut self, turns: &[(f64, f64)], branch: Branch, marks: Marks) {
+        if !self.arm.is_plain() {
+            let mut all = [0.0; MAX_JOINTS];
+            for ((value, &(sin, cos)), &turns) in all.iter_mut().zip(turns).zip(self.arm.turns()) {
+                *value = if turns { sin.atan2(cos) } else { sin };
+            }
+            return self.push(&all[..turns.len()], branch, marks);
+        }
+        self.pending.push(turns, branch, marks);
+        if self.pending.len == GROUP {
+            self.flush();
+        }
+    }
+
+    /// Verifies what is pending.
+    fn flush(&mut self) {
+        let count = std::mem::take(&mut self.pending.len);
+        if count == 0 {
+            return;
+        }
+        let measured = self.pending.measure(self.arm, self.pose);
+        let dof = self.arm.chain().dof();
+        let limit = TOLERANCES.rounding;
+        for lane in 0..count {
+            let (branch, marks) = self.pending.names[lane];
+            let q = measured.q(lane, dof);
+            let plain = !marks.free && !marks.edge && self.slack == 0.0 && dof <= 6;
+            match &measured.misses {
+                Some([turn, shift])
+                    if plain && turn[lane] <= limit && shift[lane] <= limit * self.arm.extent() =>
+                {
+                    let residual = turn[lane].max(shift[lane]);
+                    let solution = self.solution(q, residual, branch, marks);
+                    self.insert(&solution);
+                }
+                _ => {
+                    self.push_verified(q, branch, marks);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn solution(&self, q: JointVector, residual: f64, branch: Branch, marks: Marks) -> Solution {
+        Solution {
+            q,
+            dof: self.arm.chain().dof() as u8,
+            residual,
+            branch,
+            multiplicity: marks.multiplicity,
+            within_limits: super::limits::within(self.arm.chain(), &q),
+        }
+    }
+
     /// Proposes a joint vector. True if it was a new isolated solution.
     #[inline]
-    pub fn push_joints(&mut self, mut q: JointVector, branch: Branch, marks: Marks) -> bool {
+    pub fn push_joints(&mut self, q: JointVector, branch: Branch, marks: Marks) -> bool {
+        // In the order of the proposals.
+        self.flush();
+        self.push_verified(q, branch, marks)
+    }
+
+    fn push_verified(&mut self, mut q: JointVector, branch: Branch, marks: Marks) -> bool {
         let extent = self.arm.extent();
         let (mut turn, mut shift) = residuals(&self.arm.pose(&q), self.pose);
         let mut refined = false;
@@ -117,14 +184,7 @@ impl<'a> Sink<'a> {
             self.rejected = true;
             return false;
         }
-        let solution = Solution {
-            q,
-            dof: self.arm.chain().dof() as u8,
-            residual: turn.max(shift),
-            branch,
-            multiplicity: marks.multiplicity,
-            within_limits: super::limits::within(self.arm.chain(), &q),
-        };
+        let solution = self.solution(q, turn.max(shift), branch, marks);
         if self.arm.chain().dof() > 6 {
             return self.add_redundant(&solution);
         }
@@ -279,6 +339,7 @@ impl<'a> Sink<'a> {
 
     /// Draws the conclusion.
     pub(super) fn finish(mut self) {
+        self.flush();
         if self.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
             self.rescue();
         }

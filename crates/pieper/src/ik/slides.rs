@@ -119,13 +119,13 @@ impl Three {
         }
         out.shortfall = found.shortfall;
         for reach in found.as_slice() {
-            let [a, b, c] = reach.theta;
-            let theta = if self.reversed {
-                [-c, -b, -a]
+            let [a, b, c] = reach.turns;
+            let turns = if self.reversed {
+                [c, b, a].map(|(sin, cos)| (-sin, cos))
             } else {
                 [a, b, c]
             };
-            out.push(Reach { theta, ..*reach });
+            out.push(Reach { turns, ..*reach });
         }
     }
 }
@@ -171,6 +171,15 @@ impl Problem<'_> {
         self.place.norm_squared() - self.flat.norm_squared()
     }
 
+    /// Joint values as an answer holds them.
+    fn pairs(&self, values: [f64; 3]) -> [(f64, f64); 3] {
+        let pair = |k: usize| match self.three.turns[k] {
+            true => values[k].sin_cos(),
+            false => (values[k], 0.0),
+        };
+        [pair(0), pair(1), pair(2)]
+    }
+
     /// Joint 1 from `X`, both seen along its axis; then all three.
     fn finish(&self, x: &Vector3<f64>, second: f64, third: f64, count: u8, out: &mut Reaches) {
         let at = self.three.first.rotation * x + self.flat;
@@ -182,7 +191,7 @@ impl Problem<'_> {
             (true, false) => (between(from, to), false),
         };
         out.push(Reach {
-            theta: [first, second, third],
+            turns: self.pairs([first, second, third]),
             edge: true,
             free,
             ..Reach::simple([true; 2], count)
@@ -412,7 +421,7 @@ impl Problem<'_> {
         let inverse = self.three.directions().try_inverse();
         if let Some(steps) = inverse.map(|inverse| inverse * (self.place - start)) {
             out.push(Reach {
-                theta: steps.into(),
+                turns: self.pairs(steps.into()),
                 ..Reach::simple([true; 2], 1)
             });
         }

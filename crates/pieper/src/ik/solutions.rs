@@ -78,6 +78,15 @@ pub struct Branch {
     pub root: u8,
 }
 
+impl Branch {
+    pub(super) const NONE: Self = Self {
+        shoulder: None,
+        elbow: None,
+        wrist: None,
+        root: 0,
+    };
+}
+
 impl fmt::Display for Branch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let shoulder = self.shoulder.map(|shoulder| match shoulder {
@@ -132,12 +141,7 @@ impl Solution {
         q: [0.0; MAX_JOINTS],
         dof: 0,
         residual: 0.0,
-        branch: Branch {
-            shoulder: None,
-            elbow: None,
-            wrist: None,
-            root: 0,
-        },
+        branch: Branch::NONE,
         multiplicity: 0,
         within_limits: false,
     };

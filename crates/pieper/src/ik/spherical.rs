@@ -166,9 +166,9 @@ impl Spherical {
         sink: &mut Sink<'_>,
     ) {
         let mut whole = links[0];
-        for ((&theta, &turns), link) in reach.theta.iter().zip(&self.turns).zip(&links[1..]) {
+        for ((&turn, &turns), link) in reach.turns.iter().zip(&self.turns).zip(&links[1..]) {
             if turns {
-                turn_z(&mut whole, theta.sin_cos());
+                turn_z(&mut whole, turn);
             }
             whole *= link;
         }
@@ -184,21 +184,21 @@ impl Spherical {
                 edge: reach.edge || turned.edge,
                 free: reach.free || turned.free,
             };
-            sink.push(&self.displacements(reach, &turned.theta), branch, marks);
+            sink.push_turns(&self.displacements(reach, &turned.turns), branch, marks);
             if sink.slack() > 0.0 && turned.edge {
-                for theta in self.ball.starts(&rotation, turned) {
-                    sink.push(&self.displacements(reach, &theta), branch, marks);
+                for turns in self.ball.starts(&rotation, turned) {
+                    sink.push_turns(&self.displacements(reach, &turns), branch, marks);
                 }
             }
         }
     }
 
     #[inline]
-    fn displacements(&self, reach: &Reach, ball: &[f64; 3]) -> [f64; 6] {
-        let mut all = [0.0; 6];
+    fn displacements(&self, reach: &Reach, ball: &[(f64, f64); 3]) -> [(f64, f64); 6] {
+        let mut all = [(0.0, 1.0); 6];
         for k in 0..3 {
             all[(self.first + k) % 6] = ball[k];
-            all[(self.first + 3 + k) % 6] = reach.theta[k];
+            all[(self.first + 3 + k) % 6] = reach.turns[k];
         }
         all
     }

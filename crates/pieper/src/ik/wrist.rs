@@ -3,9 +3,10 @@
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 
 use super::TOLERANCES;
-use super::angle::{Roots, between};
+use super::angle::{Roots, back, forth, turn_between};
 use super::normal::Normal;
 use super::reason::{Part, Shortfall};
+use crate::spatial::sin_cos_exact;
 
 /// How rotations are represented while an orientation is solved; the answers are equal to rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -23,13 +24,15 @@ pub(super) struct Ball {
     alpha: [(f64, f64); 2],
     /// Whether both angles between neighbouring axes are right ones to the last bit.
     right: bool,
-    shifts: [f64; 3],
+    /// Sines and cosines of where the three joints' own zeros lie.
+    shifts: [(f64, f64); 3],
 }
 
 /// One way to turn there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned {
-    pub(super) theta: [f64; 3],
+    /// Sines and cosines, up to a common factor of the last.
+    pub(super) turns: [(f64, f64); 3],
     pub(super) flip: bool,
     pub(super) multiplicity: u8,
     pub(super) edge: bool,
@@ -50,7 +53,7 @@ impl Ball {
         Self {
             alpha: [first.alpha, second.alpha],
             right: first.alpha.1 == 0.0 && second.alpha.1 == 0.0,
-            shifts: [first.phi, first.psi + second.phi, second.psi],
+            shifts: [first.phi, first.psi + second.phi, second.psi].map(sin_cos_exact),
         }
     }
 
@@ -72,7 +75,7 @@ impl Ball {
         let sines = self.sines(square, slack);
         let mut turns = Turns {
             list: [Turned {
-                theta: [0.0; 3],
+                turns: [(0.0, 1.0); 3],
                 flip: false,
                 multiplicity: if sines.len == 1 { 2 } else { 1 },
                 edge: sines.edge,
@@ -91,19 +94,23 @@ impl Ball {
         for (turned, sine) in turns.list.iter_mut().zip(sines.iter()) {
             // Flip: the middle joint bends to the negative side, as its own zero counts it.
             turned.flip = sine < 0.0;
+            if turned.flip && self.right && !sines.edge {
+                break;
+            }
             self.outer(r, (sine, cosine), turned);
         }
-        if self.right && turns.len == 2 {
+        if self.right && turns.len == 2 && !sines.edge {
             // Right angles: the other way turns both outer joints by half a turn.
-            let [a, b, c] = turns.list[0].theta;
-            let middle = b + self.shifts[1];
-            let pi = std::f64::consts::PI;
-            turns.list[1].theta = [a + pi, -middle - self.shifts[1], c + pi];
+            let [a, b, c] = turns.list[0].turns;
+            let middle = forth(b, self.shifts[1]);
+            let middle = back((-middle.0, middle.1), self.shifts[1]);
+            turns.list[1].turns = [(-a.0, -a.1), middle, (-c.0, -c.1)];
         }
         turns
     }
 
     /// The sines of the middle joint.
+    #[inline]
     fn sines(&self, square: f64, slack: f64) -> Roots {
         if self.right && slack == 0.0 {
             // A sum of squares: only an exact alignment merges the two, and then it is a family.
@@ -120,11 +127,11 @@ impl Ball {
 
     /// Starts for Newton's method where the arm is nearly aligned and misses its class: the first joint may be
     /// anywhere.
-    pub(super) fn starts(&self, r: &Matrix3<f64>, turned: &Turned) -> [[f64; 3]; 8] {
-        let middle = turned.theta[1] + self.shifts[1];
+    pub(super) fn starts(&self, r: &Matrix3<f64>, turned: &Turned) -> [[(f64, f64); 3]; 8] {
+        let middle = forth(turned.turns[1], self.shifts[1]);
         std::array::from_fn(|k| {
             let first = k as f64 * std::f64::consts::FRAC_PI_4;
-            self.complete(r, first, middle.sin_cos())
+            self.complete(r, first.sin_cos(), middle)
         })
     }
 
@@ -132,31 +139,39 @@ impl Ball {
     #[inline]
     fn outer(&self, r: &Matrix3<f64>, (sine, cosine): (f64, f64), turned: &mut Turned) {
         let [(s1, c1), (s2, c2)] = self.alpha;
-        let norm = sine.hypot(cosine);
+        let norm = (sine * sine + cosine * cosine).sqrt();
         let (sin, cos) = (sine / norm, cosine / norm);
         let g = [s2 * sin, -c1 * s2 * cos - s1 * c2];
         let plane = [r[(0, 2)], r[(1, 2)]];
         let short = |v: [f64; 2]| v[0].abs().max(v[1].abs()) < TOLERANCES.free;
         turned.free = short(g) || short(plane);
-        let first = if turned.free { 0.0 } else { between(g, plane) };
-        turned.theta = self.complete(r, first, (sin, cos));
+        let first = if turned.free {
+            (0.0, 1.0)
+        } else {
+            turn_between(g, plane)
+        };
+        turned.turns = self.complete(r, first, (sin, cos));
     }
 
-    /// The last joint for given others.
+    /// The last joint for given others; its sine and cosine up to a common factor.
     #[inline]
-    fn complete(&self, r: &Matrix3<f64>, first: f64, (sin, cos): (f64, f64)) -> [f64; 3] {
+    fn complete(
+        &self,
+        r: &Matrix3<f64>,
+        (sf, cf): (f64, f64),
+        (sin, cos): (f64, f64),
+    ) -> [(f64, f64); 3] {
         let [(s1, c1), (s2, c2)] = self.alpha;
         // The last joint takes what is left of the whole rotation, so that an ill-determined first joint is made up
         // for. M = Rz(x1) Rx(a1) Rz(x2) Rx(a2); its first two columns against those of R.
-        let (sf, cf) = first.sin_cos();
         let u = [cos, c1 * sin, s1 * sin];
         let v = [-sin * c2, c1 * cos * c2 - s1 * s2, s1 * cos * c2 + c1 * s2];
         let spun = |w: [f64; 3]| [cf * w[0] - sf * w[1], sf * w[0] + cf * w[1], w[2]];
         let (u, v) = (spun(u), spun(v));
         let dot = |w: [f64; 3], j: usize| w[0] * r[(0, j)] + w[1] * r[(1, j)] + w[2] * r[(2, j)];
-        let last = (dot(v, 0) - dot(u, 1)).atan2(dot(u, 0) + dot(v, 1));
+        let last = (dot(v, 0) - dot(u, 1), dot(u, 0) + dot(v, 1));
         let [a, b, c] = self.shifts;
-        [first - a, sin.atan2(cos) - b, last - c]
+        [back((sf, cf), a), back((sin, cos), b), back(last, c)]
     }
 
     /// [`Ball::solve`] by quaternions, for right angles; `None` otherwise.
@@ -195,7 +210,7 @@ impl Ball {
             let theta = [a, -s1 * b, mirror * c];
             let flip = theta[1].sin() < 0.0;
             Turned {
-                theta: std::array::from_fn(|i| theta[i] - self.shifts[i]),
+                turns: std::array::from_fn(|i| back(theta[i].sin_cos(), self.shifts[i])),
                 flip,
                 multiplicity: if aligned { 2 } else { 1 },
                 edge: aligned,
@@ -236,7 +251,7 @@ pub fn orientation(r: &Matrix3<f64>, signs: [f64; 2], method: Method) -> [[f64; 
     let ball = Ball {
         alpha: signs.map(|sign| (1.0_f64.copysign(sign), 0.0)),
         right: true,
-        shifts: [0.0; 3],
+        shifts: [(0.0, 1.0); 3],
     };
     let turns = match method {
         Method::Matrix => ball.solve(r, 0.0),
@@ -246,5 +261,6 @@ pub fn orientation(r: &Matrix3<f64>, signs: [f64; 2], method: Method) -> [[f64; 
             .unwrap_or_else(|| ball.solve(r, 0.0)),
     };
     let last = turns.len.saturating_sub(1);
-    [turns.list[0], turns.list[last]].map(|turned| turned.theta.map(super::angle::wrap))
+    let angle = |(sin, cos): (f64, f64)| super::angle::wrap(sin.atan2(cos));
+    [turns.list[0], turns.list[last]].map(|turned| turned.turns.map(angle))
 }

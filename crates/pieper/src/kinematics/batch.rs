@@ -99,7 +99,7 @@ impl JointBatch {
 }
 
 /// Entries of a pose's upper three rows.
-const ENTRIES: usize = 12;
+pub(crate) const ENTRIES: usize = 12;
 
 /// Poses, entry by entry: columns n, s, a, p, each downwards.
 #[derive(Clone, Debug)]
@@ -257,7 +257,15 @@ impl WithSimd for Batch<'_> {
         );
         for block in 0..blocks {
             let (from, to) = (start + block * width, block * width);
-            if several(simd, canonical, q, from, &mut turns, &mut out, to) {
+            if several(
+                simd,
+                canonical,
+                |j| q.joint(j),
+                from,
+                &mut turns,
+                &mut out,
+                to,
+            ) {
                 continue;
             }
             let bad =
@@ -270,6 +278,53 @@ impl WithSimd for Batch<'_> {
     }
 }
 
+/// Vectors in a group of [`group`].
+pub(crate) const GROUP: usize = 8;
+
+/// The tool's poses for [`GROUP`] joint vectors on the stack, value `j` of vector `k` at `q[j][k]`; `false`, and nothing
+/// of use written, if an angle is too large or not finite, or if this processor has no registers of several doubles.
+///
+/// For inverse kinematics, which verifies a handful of solutions at once.
+#[inline]
+pub(crate) fn group(
+    canonical: &Canonical,
+    q: &[[f64; GROUP]],
+    out: &mut [[f64; GROUP]; ENTRIES],
+) -> bool {
+    Arch::new().dispatch(Group { canonical, q, out })
+}
+
+struct Group<'a> {
+    canonical: &'a Canonical,
+    q: &'a [[f64; GROUP]],
+    out: &'a mut [[f64; GROUP]; ENTRIES],
+}
+
+impl WithSimd for Group<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let width = S::F64_LANES;
+        if width == 1 || !GROUP.is_multiple_of(width) {
+            return false;
+        }
+        let zero = Lanes::splat(simd, 0.0);
+        let mut turns = Turns(
+            [Turn {
+                sin: zero,
+                cos: zero,
+            }; PACK],
+        );
+        let mut out = self.out.each_mut().map(|entry| &mut entry[..]);
+        let joint = |variable: usize| &self.q[variable][..];
+        (0..GROUP / width).all(|block| {
+            let at = block * width;
+            several(simd, self.canonical, joint, at, &mut turns, &mut out, at)
+        })
+    }
+}
+
 /// Sines and cosines of a pack of steps, where no register straddles two cache lines.
 #[repr(align(64))]
 struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
@@ -277,10 +332,10 @@ struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
 /// One register's worth of poses, of the vectors from `from` on, written from place `to` on; `false`, and nothing of
 /// use written, if an angle is too large or not finite.
 #[inline(always)]
-fn several<S: Simd>(
+fn several<'a, S: Simd>(
     simd: S,
     canonical: &Canonical,
-    q: &JointBatch,
+    joint: impl Fn(usize) -> &'a [f64],
     from: usize,
     Turns(turns): &mut Turns<S>,
     out: &mut [&mut [f64]; ENTRIES],
@@ -304,7 +359,7 @@ fn several<S: Simd>(
     for steps in canonical.steps.chunks(PACK) {
         // All sines and cosines first: they are independent of one another, the product is one long chain.
         for (turn, step) in turns.iter_mut().zip(steps) {
-            let values = &q.joint(step.drive.variable)[from..from + S::F64_LANES];
+            let values = &joint(step.drive.variable)[from..from + S::F64_LANES];
             let value = Lanes {
                 simd,
                 value: S::as_simd_f64s(values).0[0],

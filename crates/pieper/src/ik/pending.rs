@@ -1,6 +1,6 @@
 //! Proposals on their way to verification, eight at a time: their angles and their poses fill the lanes of registers.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::arm::{Arm, MAX_JOINTS};
 use super::sink::Marks;
@@ -52,7 +52,12 @@ impl Pending {
             q: [[0.0; GROUP]; MAX_JOINTS],
             misses: None,
         };
-        Arch::new().dispatch(|| self.joint_values(arm, &mut measured.q));
+        let q = &mut measured.q;
+        Arch::new().dispatch(Angles {
+            pending: self,
+            arm,
+            q,
+        });
         let mut entries = [[0.0; GROUP]; ENTRIES];
         let canonical = arm.chain().canonical();
         if batch::group(canonical, &measured.q, &mut entries) {
@@ -78,6 +83,22 @@ impl Pending {
                 }
             }
         }
+    }
+}
+
+/// [`Pending::joint_values`] compiled for the registers that the processor has.
+struct Angles<'a> {
+    pending: &'a Pending,
+    arm: &'a Arm,
+    q: &'a mut [[f64; GROUP]; MAX_JOINTS],
+}
+
+impl WithSimd for Angles<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.pending.joint_values(self.arm, self.q);
     }
 }
 

@@ -127,16 +127,12 @@ const SLACK_REACH: f64 = 16.0;
 #[inline]
 pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
     let length = a.hypot(b);
-    let middle = b.atan2(a);
+    let middle = (b / length, a / length);
     let (excess, ratio) = (c.abs() - length, c / length);
     let square = (length - c) * (length + c) / (length * length);
     let roots = Roots::of(square, slack);
-    let mut angles = [0.0; 3];
-    for (angle, root) in angles.iter_mut().zip(roots.values) {
-        *angle = middle + root.atan2(ratio);
-    }
     LinearRoots {
-        angles,
+        turns: roots.values.map(|root| forth(unit((root, ratio)), middle)),
         len: roots.len,
         edge: roots.edge,
         excess,
@@ -147,7 +143,8 @@ pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
 /// What [`solve_linear`] finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LinearRoots {
-    pub(super) angles: [f64; 3],
+    /// Sines and cosines.
+    pub(super) turns: [(f64, f64); 3],
     pub(super) len: usize,
     pub(super) edge: bool,
     /// By how much the right-hand side exceeds what the left can be.

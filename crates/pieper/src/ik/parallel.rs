@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::TOLERANCES;
-use super::angle::{LinearRoots, Roots, between, solve_linear};
+use super::angle::{LinearRoots, Roots, forth, solve_linear, turn_between, unit};
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
@@ -102,8 +102,8 @@ struct Loop {
 /// Values of d and f that satisfy both equations.
 #[derive(Clone, Copy, Debug)]
 struct Outer {
-    d: f64,
-    f: f64,
+    d: (f64, f64),
+    f: (f64, f64),
     signs: [bool; 2],
     multiplicity: u8,
     edge: bool,
@@ -162,8 +162,8 @@ impl Loop {
     fn outers(&self, sink: &mut Sink<'_>) -> Outers {
         let [one, two] = &self.equations;
         let empty = Outer {
-            d: 0.0,
-            f: 0.0,
+            d: (0.0, 1.0),
+            f: (0.0, 1.0),
             signs: [true; 2],
             multiplicity: 1,
             edge: false,
@@ -175,10 +175,10 @@ impl Loop {
         let (d_rows, f_rows) = ([&one.0, &two.0], [&one.1, &two.1]);
         if let Some(weights) = self.weights(d_rows) {
             let roots = self.combined(weights, f_rows, d_rows, sink);
-            for (&f, first) in roots.angles[..roots.len].iter().zip([true, false, true]) {
+            for (&f, first) in roots.turns[..roots.len].iter().zip([true, false, true]) {
                 let (inner, middle, cosine) = self.inner_d(f, sink);
                 for (root, second) in inner.iter().zip([true, false, true]) {
-                    let d = middle + root.atan2(cosine);
+                    let d = forth(unit((root, cosine)), middle);
                     outers.push(Outer {
                         d,
                         f,
@@ -189,10 +189,10 @@ impl Loop {
             }
         } else if let Some(weights) = self.weights(f_rows) {
             let roots = self.combined(weights, d_rows, f_rows, sink);
-            for (&d, first) in roots.angles[..roots.len].iter().zip([true, false, true]) {
+            for (&d, first) in roots.turns[..roots.len].iter().zip([true, false, true]) {
                 let (inner, middle, cosine) = self.inner_f(d, sink);
                 for (root, second) in inner.iter().zip([true, false, true]) {
-                    let f = middle + root.atan2(cosine);
+                    let f = forth(unit((root, cosine)), middle);
                     outers.push(Outer {
                         d,
                         f,
@@ -244,7 +244,7 @@ impl Loop {
     }
 
     /// The angle d for a given f: (roots of its sine, where it counts from, its cosine).
-    fn inner_d(&self, f: f64, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+    fn inner_d(&self, f: (f64, f64), sink: &mut Sink<'_>) -> (Roots, (f64, f64), f64) {
         let m = self.direction_behind(f);
         let cone = Cone::new(&self.k0, &self.axis_e[0], &m);
         if let Some(cone) = cone {
@@ -252,21 +252,21 @@ impl Loop {
         }
         // Axes d and e are parallel: the rise decides.
         let (of_d, of_f) = &self.equations[0];
-        self.rise_roots(of_d, of_f.at(f.sin_cos()), sink)
+        self.rise_roots(of_d, of_f.at(f), sink)
     }
 
     /// The angle f for a given d.
-    fn inner_f(&self, d: f64, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+    fn inner_f(&self, d: (f64, f64), sink: &mut Sink<'_>) -> (Roots, (f64, f64), f64) {
         let y = self.direction_before(d) * self.flip;
         let cone = Cone::new(&self.axis_e[1], &self.k3, &y);
         if let Some(cone) = cone {
             return self.cone_roots(&cone, sink);
         }
         let (of_d, of_f) = &self.equations[0];
-        self.rise_roots(of_f, of_d.at(d.sin_cos()), sink)
+        self.rise_roots(of_f, of_d.at(d), sink)
     }
 
-    fn cone_roots(&self, cone: &Cone, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+    fn cone_roots(&self, cone: &Cone, sink: &mut Sink<'_>) -> (Roots, (f64, f64), f64) {
         let roots = if self.slack == 0.0 && cone.square.sqrt() < TOLERANCES.free {
             Roots {
                 values: [0.0; 3],
@@ -285,28 +285,31 @@ impl Loop {
         (roots, cone.middle, cone.cosine)
     }
 
-    fn rise_roots(&self, row: &Linear, constant: f64, sink: &mut Sink<'_>) -> (Roots, f64, f64) {
+    fn rise_roots(
+        &self,
+        row: &Linear,
+        constant: f64,
+        sink: &mut Sink<'_>,
+    ) -> (Roots, (f64, f64), f64) {
         let length = row.c.hypot(row.s);
         let cosine = -(row.k + constant) / length;
         sink.fail(Part::Inside, (cosine.abs() - 1.0) * length * self.size);
         (
             Roots::of(1.0 - cosine * cosine, self.slack),
-            row.s.atan2(row.c),
+            (row.s / length, row.c / length),
             cosine,
         )
     }
 
     /// `K_1^T Rz(d)^-1 K_0^T z`: the direction of the three axes, seen from axis e.
-    fn direction_before(&self, d: f64) -> Vector3<f64> {
-        let (sin, cos) = d.sin_cos();
+    fn direction_before(&self, (sin, cos): (f64, f64)) -> Vector3<f64> {
         let k = &self.k0;
         let back = Vector3::new(cos * k.x + sin * k.y, cos * k.y - sin * k.x, k.z);
         self.rotations[1].transpose() * back
     }
 
     /// The same seen from behind axis e: `+-K_2 Rz(f) K_3 z`.
-    fn direction_behind(&self, f: f64) -> Vector3<f64> {
-        let (sin, cos) = f.sin_cos();
+    fn direction_behind(&self, (sin, cos): (f64, f64)) -> Vector3<f64> {
         let k = &self.k3;
         let on = Vector3::new(cos * k.x - sin * k.y, sin * k.x + cos * k.y, k.z);
         self.rotations[2] * on * self.flip
@@ -336,7 +339,8 @@ impl Loop {
         for (index, &(d, count)) in roots.as_slice().iter().enumerate() {
             let at = d.sin_cos();
             let sign = 1.0_f64.copysign(determinant);
-            let f = (sign * sine.at(at)).atan2(sign * cosine.at(at));
+            let f = unit((sign * sine.at(at), sign * cosine.at(at)));
+            let d = at;
             let signs = [index & 2 == 0, index & 1 == 0];
             outers.push(Outer {
                 d,
@@ -362,14 +366,14 @@ impl Loop {
         let shortest = length(y).min(length(m));
         let free = shortest < TOLERANCES.free;
         if !free {
-            self.triangle(arm, outer, index, (between(m, y), false), sink);
+            self.triangle(arm, outer, index, (turn_between(m, y), false), sink);
         }
         // Axis e is parallel to the three: it may stand anywhere, within the triangle's reach. Or nearly so, and the
         // arm misses its class: it may stand anywhere as a start.
         if free || shortest < 16.0 * self.slack {
             for k in 0..ANYWHERE {
                 let e = k as f64 * TAU / ANYWHERE as f64;
-                self.triangle(arm, outer, index, (e, free), sink);
+                self.triangle(arm, outer, index, (e.sin_cos(), free), sink);
             }
         }
     }
@@ -379,13 +383,13 @@ impl Loop {
         arm: &ThreeParallel,
         outer: &Outer,
         index: usize,
-        (e, free): (f64, bool),
+        (e, free): ((f64, f64), bool),
         sink: &mut Sink<'_>,
     ) {
         let mut whole = self.links[0];
-        for (theta, link) in [outer.d, e, outer.f].iter().zip(&self.links[1..]) {
+        for (turn, link) in [outer.d, e, outer.f].iter().zip(&self.links[1..]) {
             let mut rotation = whole.rotation.into_inner();
-            turn_z(&mut rotation, theta.sin_cos());
+            turn_z(&mut rotation, *turn);
             let shift = rotation * link.translation.vector;
             whole.translation.vector += shift;
             whole.rotation = Rotation3::from_matrix_unchecked(rotation * link.rotation.matrix());
@@ -398,24 +402,18 @@ impl Loop {
             sink.fail(shortfall.part, shortfall.amount);
         }
         for bent in &bends.list[..bends.len] {
-            let mut all = [0.0; 6];
-            let thetas = [
-                bent.theta[0],
-                bent.theta[1],
-                bent.theta[2],
-                outer.d,
-                e,
-                outer.f,
-            ];
-            for (k, theta) in thetas.iter().enumerate() {
-                all[(arm.first + k) % 6] = *theta;
+            let mut all = [(0.0, 1.0); 6];
+            let [a, b, c] = bent.turns;
+            let turns = [a, b, c, outer.d, e, outer.f];
+            for (k, turn) in turns.iter().enumerate() {
+                all[(arm.first + k) % 6] = *turn;
             }
             let marks = Marks {
                 multiplicity: outer.multiplicity * bent.multiplicity,
                 edge: outer.edge || bent.edge,
                 free: free || bent.free,
             };
-            sink.push(&all, arm.branch(outer, index, bent), marks);
+            sink.push_turns(&all, arm.branch(outer, index, bent), marks);
         }
     }
 }
@@ -426,8 +424,8 @@ const ANYWHERE: usize = 16;
 fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {
     let merged = usize::from(outer.len == 1) + usize::from(inner.len == 1);
     Outer {
-        d: 0.0,
-        f: 0.0,
+        d: (0.0, 1.0),
+        f: (0.0, 1.0),
         signs: [true; 2],
         multiplicity: 1 << merged,
         edge: outer.edge || inner.edge,
@@ -437,7 +435,7 @@ fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {
 /// The angles x with `u . Rz(x) v = w_z`, for unit vectors of which `w` is known whole: its plane part gives the
 /// sine without cancellation where the cosine is close to one.
 struct Cone {
-    middle: f64,
+    middle: (f64, f64),
     cosine: f64,
     square: f64,
 }
@@ -452,7 +450,7 @@ impl Cone {
         let flat = w.x * w.x + w.y * w.y;
         let square = flat - u.z * u.z - v.z * v.z + 2.0 * u.z * v.z * w.z;
         Some(Self {
-            middle: row.s.atan2(row.c),
+            middle: (row.s / length, row.c / length),
             cosine: (w.z - row.k) / length,
             square: square / (length * length),
         })

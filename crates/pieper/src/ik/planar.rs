@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Matrix3;
 
 use super::TOLERANCES;
-use super::angle::{Roots, between};
+use super::angle::{Roots, back, turn_between, unit};
 use super::arm::{Arm, MAX_JOINTS};
 use super::classify::{Class, Structure};
 use super::normal::Normal;
@@ -14,6 +14,7 @@ use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::solutions::{Branch, Elbow};
 use crate::spatial::Pose;
+use crate::spatial::sin_cos_exact;
 
 /// `Z_a L_a Z_b L_b Z_c = S` with both links between parallel axes: the motion `S` keeps the plane.
 ///
@@ -24,7 +25,7 @@ pub(super) struct Triangle {
     lengths: [f64; 2],
     /// Whether each link turns the plane over: -1 if so.
     flips: [f64; 2],
-    shifts: [f64; 3],
+    shifts: [(f64, f64); 3],
     /// The shift of `S` along z, which no joint changes.
     pub(super) rise: f64,
 }
@@ -32,7 +33,8 @@ pub(super) struct Triangle {
 /// One way to close the triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bent {
-    pub(super) theta: [f64; 3],
+    /// Sines and cosines, up to a common factor of the last.
+    pub(super) turns: [(f64, f64); 3],
     /// The sign of the bend.
     pub(super) bend: bool,
     pub(super) multiplicity: u8,
@@ -55,7 +57,7 @@ impl Triangle {
         (parallel(first) && parallel(second)).then_some(Self {
             lengths: [first.a, second.a],
             flips: [first.alpha.1, second.alpha.1],
-            shifts: [first.phi, first.psi + second.phi, second.psi],
+            shifts: [first.phi, first.psi + second.phi, second.psi].map(sin_cos_exact),
             rise: first.d + first.alpha.1 * second.d,
         })
     }
@@ -69,14 +71,14 @@ impl Triangle {
     #[inline]
     pub(super) fn solve(&self, at: [f64; 2], toward: [f64; 2], slack: f64) -> Bends {
         let [a, b] = self.lengths;
-        let reach = at[0].hypot(at[1]);
+        let reach = (at[0] * at[0] + at[1] * at[1]).sqrt();
         let (long, short) = (a + b, (a - b).abs());
         let square = (long - reach) * (long + reach) * (reach - short) * (reach + short)
             / (4.0 * a * a * b * b);
         let cosine = (reach * reach - a * a - b * b) / (2.0 * a * b);
         let roots = Roots::of(square, slack);
         let empty = Bent {
-            theta: [0.0; 3],
+            turns: [(0.0, 1.0); 3],
             bend: true,
             multiplicity: if roots.len == 1 { 2 } else { 1 },
             edge: roots.edge,
@@ -98,15 +100,20 @@ impl Triangle {
             .zip(roots.iter())
             .zip([true, false, true])
         {
-            let middle = root.atan2(cosine);
-            let (sin, cos) = middle.sin_cos();
+            let middle = unit((root, cosine));
+            let (sin, cos) = middle;
             let elbow = [a + b * cos, self.flips[0] * b * sin];
-            let first = if bent.free { 0.0 } else { between(elbow, at) };
+            let first = if bent.free {
+                (0.0, 1.0)
+            } else {
+                turn_between(elbow, at)
+            };
             // The x axis behind the third joint points to first + flip_1 (middle + flip_2 last).
-            let turn = toward[1].atan2(toward[0]);
-            let last = self.flip() * (turn - first - self.flips[0] * middle);
-            let angles = [first, middle, last];
-            bent.theta = std::array::from_fn(|i| angles[i] - self.shifts[i]);
+            let rest = back((toward[1], toward[0]), first);
+            let rest = back(rest, (self.flips[0] * sin, cos));
+            let last = (self.flip() * rest.0, rest.1);
+            let all = [first, middle, last];
+            bent.turns = std::array::from_fn(|i| back(all[i], self.shifts[i]));
             bent.bend = sign;
         }
         bends
@@ -178,10 +185,10 @@ impl Prepared for Planar {
             return;
         }
         let gap = motion.translation.vector.z - self.triangle.rise;
-        let mut all = [0.0; MAX_JOINTS];
+        let mut all = [(0.0, 0.0); MAX_JOINTS];
         let upright = self.lead.rotation.matrix()[(2, 2)].signum();
         match self.sliding {
-            Some((step, heading)) => all[step] = gap * heading * upright,
+            Some((step, heading)) => all[step].0 = gap * heading * upright,
             None if gap.abs() > TOLERANCES.class * sink.arm().size() => {
                 sink.fail(Part::Slides, gap.abs());
                 return;
@@ -197,8 +204,8 @@ impl Prepared for Planar {
             sink.fail(shortfall.part, shortfall.amount);
         }
         for bent in &bends.list[..bends.len] {
-            for (&step, &theta) in self.turning.iter().zip(&bent.theta) {
-                all[step] = theta;
+            for (&step, &turn) in self.turning.iter().zip(&bent.turns) {
+                all[step] = turn;
             }
             let branch = Branch {
                 elbow: Some(if bent.bend { Elbow::Down } else { Elbow::Up }),
@@ -209,7 +216,7 @@ impl Prepared for Planar {
                 edge: bent.edge,
                 free: bent.free,
             };
-            sink.push(&all[..sink.arm().steps()], branch, marks);
+            sink.push_turns(&all[..sink.arm().steps()], branch, marks);
         }
     }
 }

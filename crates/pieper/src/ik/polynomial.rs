@@ -161,16 +161,17 @@ pub(super) struct Linear {
 }
 
 impl Linear {
+    // Plain products: without a fused unit at compile time `mul_add` is a library call.
     #[inline]
     pub(super) fn at(&self, (sin, cos): (f64, f64)) -> f64 {
-        self.c.mul_add(cos, self.s.mul_add(sin, self.k))
+        self.c * cos + self.s * sin + self.k
     }
 
     pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
-            k: factor.mul_add(other.k, self.k),
-            c: factor.mul_add(other.c, self.c),
-            s: factor.mul_add(other.s, self.s),
+            k: self.k + factor * other.k,
+            c: self.c + factor * other.c,
+            s: self.s + factor * other.s,
         }
     }
 }
@@ -187,7 +188,7 @@ impl Quadratic {
             a.s * b.s,
         ];
         for (term, product) in self.terms.iter_mut().zip(products) {
-            *term = factor.mul_add(product, *term);
+            *term += factor * product;
         }
     }
 

@@ -404,7 +404,7 @@ impl Problem {
         let idle = third.length < TOLERANCES.free * area;
         if idle && (wanted - square.k).abs() < TOLERANCES.closes * area {
             // Joint 3 does not change the distance: the point lies on its axis.
-            (third.angles[0], third.len) = (0.0, 1);
+            (third.turns[0], third.len) = ((0.0, 1.0), 1);
         }
         let distance = wanted.sqrt();
         out.fail(
@@ -416,8 +416,7 @@ impl Problem {
             (square.k - third.length).max(0.0).sqrt() - distance,
         );
         let y = self.forearm();
-        for (&theta3, sign) in third.angles[..third.len].iter().zip([true, false, true]) {
-            let at = theta3.sin_cos();
+        for (&at, sign) in third.turns[..third.len].iter().zip([true, false, true]) {
             let y = [y[0].at(at), y[1].at(at), y[2].at(at)];
             let v = (pz - c1 * y[2]) / s1;
             let across = y[0].hypot(y[1]);

@@ -224,8 +224,8 @@ impl Problem<'_> {
         }
         let roots = solve_linear(c, s, wanted, self.slack);
         out.fail(Part::WristInside, roots.excess);
-        for &angle in &roots.angles[..roots.len] {
-            let (sin, cos) = angle.sin_cos();
+        for &(sin, cos) in &roots.turns[..roots.len] {
+            let angle = sin.atan2(cos);
             let x = Vector3::new(cos * y.x - sin * y.y, sin * y.x + cos * y.y, y.z);
             let count = if roots.len == 1 { 2 * count } else { count };
             self.finish(&x, angle, third, count, out);
@@ -337,8 +337,8 @@ impl Problem<'_> {
             self.slack,
         );
         out.fail(Part::Slides, roots.excess);
-        for &third in &roots.angles[..roots.len] {
-            let at = third.sin_cos();
+        for &at in &roots.turns[..roots.len] {
+            let third = at.0.atan2(at.1);
             let y = Vector3::new(y[0].at(at), y[1].at(at), y[2].at(at));
             let rest = y.norm_squared() + 2.0 * lever.dot(&y) - self.wanted();
             let equation = [rest, 2.0 * (y.z + lever.z), 1.0];
@@ -406,8 +406,8 @@ impl Problem<'_> {
         let along = Linear::default().plus(slope.x, &x).plus(slope.y, &y_row);
         let roots = solve_linear(across.c, across.s, -across.k, self.slack);
         out.fail(Part::Slides, roots.excess / slope.norm());
-        for &third in &roots.angles[..roots.len] {
-            let at = third.sin_cos();
+        for &at in &roots.turns[..roots.len] {
+            let third = at.0.atan2(at.1);
             let slide = -along.at(at) / slope.norm_squared();
             let point = Vector3::new(y[0].at(at), y[1].at(at), y[2].at(at) + slide);
             let count = if roots.len == 1 { 2 } else { 1 };

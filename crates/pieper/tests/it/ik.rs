@@ -99,3 +99,42 @@ fn the_generating_joint_values_are_found() {
         }
     }
 }
+
+#[test]
+fn solving_allocates_nothing() {
+    let mut random = fastrand::Rng::with_seed(2);
+    let mut found = Solutions::default();
+    for (id, solver) in closed_forms() {
+        for singular in [false, true] {
+            let mut q = random_joints(solver.chain(), &mut random);
+            if singular {
+                q.fill(0.0);
+            }
+            let pose = tool_pose(solver.chain(), &q).unwrap();
+            let count =
+                crate::hot_calls::allocations(|| solver.solve_into(&pose, &mut found).unwrap());
+            assert_eq!(count, 0, "{id}");
+        }
+    }
+}
+
+#[test]
+fn whole_turns_within_limits_and_order() {
+    let chain = pieper_robots::find("ur5").unwrap().robot().chain().unwrap();
+    let solver = Solver::new(&chain).unwrap();
+    let q = [0.3, -1.0, 1.2, 0.4, 0.9, -2.0];
+    let found = solver.solve(&tool_pose(&chain, &q).unwrap()).unwrap();
+    let mut all = pieper::ik::windings(&chain, &found);
+    // Six joints of two turns each: each of up to eight solutions has 64 copies.
+    assert_eq!(all.len(), 64 * found.len());
+    let seed = [0.3, -1.0, 1.2, 0.4 - std::f64::consts::TAU, 0.9, -2.0];
+    pieper::ik::rank(&chain, &mut all, pieper::ik::Ranking::Seed(&seed));
+    assert!(
+        all[0]
+            .q()
+            .iter()
+            .zip(seed)
+            .all(|(a, b)| (a - b).abs() < 1e-9)
+    );
+    assert!(all.iter().all(|one| one.within_limits));
+}

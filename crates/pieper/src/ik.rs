@@ -40,6 +40,7 @@ mod slides;
 mod solutions;
 mod solver;
 mod spherical;
+mod swivel;
 mod tolerances;
 mod wrist;
 

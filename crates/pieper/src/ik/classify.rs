@@ -220,9 +220,7 @@ impl Structure {
                     axes(4, 6)
                 ));
             }
-            Class::General => {
-                out.push("no three neighbouring axes meet in a point or are parallel".to_owned())
-            }
+            Class::General => out.push("no closed form here takes such an arm".to_owned()),
         }
         out.extend(self.pairs.iter().map(|pair| pair.sentence()));
         out

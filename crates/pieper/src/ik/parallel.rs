@@ -76,7 +76,7 @@ impl Prepared for ThreeParallel {
 }
 
 /// `u . Rz(x) v` as a function of x.
-fn turned_dot(u: &Vector3<f64>, v: &Vector3<f64>) -> Linear {
+pub(super) fn turned_dot(u: &Vector3<f64>, v: &Vector3<f64>) -> Linear {
     Linear {
         k: u.z * v.z,
         c: u.x * v.x + u.y * v.y,

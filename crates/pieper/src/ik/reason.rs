@@ -45,6 +45,13 @@ impl Part {
     }
 }
 
+impl Shortfall {
+    /// Whether a row knew that a part fails, but not by how much.
+    pub(super) fn is_unmeasured(&self) -> bool {
+        self.amount.is_nan() || self.amount <= f64::MIN_POSITIVE
+    }
+}
+
 impl fmt::Display for Shortfall {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let amount = Amount(self.amount, self.part.is_angular());

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
-use super::{numeric, parallel, planar, spherical};
+use super::{numeric, parallel, planar, spherical, swivel};
 use crate::spatial::Pose;
 
 /// A solver prepared for one arm.
@@ -59,6 +59,11 @@ pub const ROWS: &[Row] = &[
         name: "three-parallel",
         summary: "three neighbouring parallel axes of six: two angles by closed form, then a triangle",
         prepare: parallel::prepare,
+    },
+    Row {
+        name: "swivel",
+        summary: "seven axes, spherical shoulder and wrist: eight families over the swivel of the elbow",
+        prepare: swivel::prepare,
     },
     Row {
         name: "planar",

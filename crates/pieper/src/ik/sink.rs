@@ -279,7 +279,7 @@ impl<'a> Sink<'a> {
             if curve::passes(
                 self.arm,
                 &family.member,
-                &family.free,
+                &family.heading,
                 self.pose,
                 &solution.q,
             ) {
@@ -302,10 +302,17 @@ impl<'a> Sink<'a> {
         true
     }
 
-    fn push_family(&mut self, solution: &Solution, free: [f64; MAX_JOINTS]) {
+    fn push_family(&mut self, solution: &Solution, heading: JointVector) {
+        let mut free = heading;
+        for (j, value) in free.iter_mut().enumerate().take(self.arm.chain().dof()) {
+            *value *= self.arm.unit(j);
+        }
+        let length = free.iter().map(|x| x * x).sum::<f64>().sqrt();
+        free.iter_mut().for_each(|x| *x /= length);
         if self.out.family_count < MAX_FAMILIES {
             self.out.families[self.out.family_count] = Family {
                 member: solution.q,
+                heading,
                 free,
                 dof: solution.dof,
                 residual: solution.residual,

@@ -154,6 +154,9 @@ impl Solution {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Family {
     pub(super) member: JointVector,
+    /// In the units of the columns, to follow the curve by.
+    pub(super) heading: JointVector,
+    /// In radians and metres.
     pub(super) free: JointVector,
     pub(super) dof: u8,
     /// The member's residual, measured.
@@ -175,6 +178,7 @@ impl Family {
 
     pub(super) const EMPTY: Self = Self {
         member: [0.0; MAX_JOINTS],
+        heading: [0.0; MAX_JOINTS],
         free: [0.0; MAX_JOINTS],
         dof: 0,
         residual: 0.0,

@@ -6,8 +6,8 @@ use super::curve;
 use super::nearest;
 use super::reason::{Part, Shortfall};
 use super::registry::{self, Choice};
-use super::sink::Sink;
-use super::solutions::{Family, JointVector, Nearest, Solutions, Status};
+use super::sink::{Marks, Sink};
+use super::solutions::{Branch, Family, JointVector, Nearest, Solutions, Status};
 use crate::error::{Error, Result};
 use crate::model::Chain;
 use crate::spatial::Pose;
@@ -74,17 +74,30 @@ impl Solver {
         self.choice.solver.solve(&target, &mut sink);
         sink.finish();
         if out.status == Status::Unreachable
-            && out.reason.is_none_or(|reason| reason.amount.is_nan())
+            && out.reason.is_none_or(|reason| reason.is_unmeasured())
         {
-            let nearest = nearest::find(&self.arm, pose);
-            let part = out.reason.map_or(Part::NoneCloses, |reason| reason.part);
-            out.reason = Some(Shortfall {
-                part,
-                amount: nearest.position_error,
-            });
-            out.nearest = Some(nearest);
+            self.measure(pose, out);
         }
         Ok(())
+    }
+
+    /// Measures a failure for which the row had no number, by search. Should the search reach the pose after all, it
+    /// is a solution.
+    #[cold]
+    fn measure(&self, pose: &Pose, out: &mut Solutions) {
+        let part = out.reason.map_or(Part::NoneCloses, |reason| reason.part);
+        let nearest = nearest::find(&self.arm, pose);
+        let mut sink = Sink::new(&self.arm, pose, self.choice.slack, out);
+        sink.push_joints(nearest.q, Branch::default(), Marks::PLAIN);
+        sink.finish();
+        if out.status == Status::Unreachable {
+            let amount = match part.is_angular() {
+                true => nearest.orientation_error,
+                false => nearest.position_error,
+            };
+            out.reason = Some(Shortfall { part, amount });
+            out.nearest = Some(nearest);
+        }
     }
 
     /// The closest the arm comes to a pose that it cannot reach: a local search from many starts.
@@ -100,8 +113,7 @@ impl Solver {
     pub fn samples(&self, family: &Family, count: usize) -> Vec<Vec<f64>> {
         let pose = self.arm.pose(&family.member);
         let mut points: Vec<JointVector> = Vec::new();
-        let direction = self.scaled(&family.free);
-        curve::follow(&self.arm, &family.member, &direction, &pose, |q| {
+        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q| {
             points.push(*q);
             true
         });
@@ -131,26 +143,15 @@ impl Solver {
                 .sum()
         };
         let (mut best, mut least) = (family.member, f64::INFINITY);
-        curve::follow(
-            &self.arm,
-            &family.member,
-            &self.scaled(&family.free),
-            &pose,
-            |q| {
-                if distance(q) < least {
-                    (best, least) = (*q, distance(q));
-                }
-                true
-            },
-        );
+        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q| {
+            if distance(q) < least {
+                (best, least) = (*q, distance(q));
+            }
+            true
+        });
         let mut q = curve::closest(&self.arm, &best, &pose, &wanted);
         self.arm.wrap(&mut q);
         Ok(q[..chain.dof()].to_vec())
-    }
-
-    /// A direction as the columns count it.
-    fn scaled(&self, free: &JointVector) -> JointVector {
-        *free
     }
 }
 

@@ -138,3 +138,27 @@ fn whole_turns_within_limits_and_order() {
     );
     assert!(all.iter().all(|one| one.within_limits));
 }
+
+/// Seven joints: eight families, every sampled member closes, and the generating joint values are on one of them.
+#[test]
+fn seven_joints_have_families() {
+    let mut random = fastrand::Rng::with_seed(13);
+    for (id, solver) in closed_forms().filter(|(_, solver)| solver.chain().dof() == 7) {
+        let mut on_one = 0;
+        for _ in 0..20 {
+            let q = random_joints(solver.chain(), &mut random);
+            let pose = tool_pose(solver.chain(), &q).unwrap();
+            let found = solver.solve(&pose).unwrap();
+            assert_eq!(found.status(), Status::Redundant, "{id} {q:?}");
+            assert!(found.families().len() >= 4, "{id} {q:?}");
+            for family in found.families() {
+                for sample in solver.samples(family, 8) {
+                    let miss = difference(&tool_pose(solver.chain(), &sample).unwrap(), &pose);
+                    assert!(miss < 1e-11, "{id} {q:?}: a member misses by {miss:e}");
+                }
+            }
+            on_one += usize::from(contains(&solver, &q, &found, 1e-6));
+        }
+        assert!(on_one >= 19, "{id}: {on_one} of 20");
+    }
+}

@@ -30,8 +30,14 @@ const CLASSES: &[(&str, &str)] = &[
     ("kuka-kr6-r700", "spherical wrist, spherical"),
     ("kuka-kr10-r1100", "spherical wrist, spherical"),
     ("kuka-kr16-2", "spherical wrist, spherical"),
-    ("iiwa7", "general, numeric"),
-    ("iiwa14", "general, numeric"),
+    (
+        "iiwa7",
+        "spherical shoulder, elbow, spherical wrist, swivel",
+    ),
+    (
+        "iiwa14",
+        "spherical shoulder, elbow, spherical wrist, swivel",
+    ),
     ("staubli-tx60", "spherical wrist, spherical"),
     ("staubli-tx2-60", "spherical wrist, spherical"),
     ("staubli-tx2-60l", "spherical wrist, spherical"),

@@ -8,6 +8,7 @@
 
 pub mod describe;
 pub mod error;
+pub mod ik;
 pub mod kinematics;
 pub mod model;
 pub mod scalar;

@@ -1,0 +1,75 @@
+//! Several eliminations, until two agree.
+
+use pulp::Simd;
+
+use super::newton::Goal;
+use super::pool::{CAPACITY, MAX_ROOTS, Pool};
+use super::siblings;
+use super::single::Target;
+use super::tolerances::TOLERANCES;
+use super::{Completeness, General, Root, Roots};
+
+/// Eliminations run at most.
+pub(super) const MOST: usize = 12;
+/// Eliminations that must agree on an empty set: of structured arms at right-angle poses two may agree on nothing.
+pub(super) const LEAST_EMPTY: usize = 5;
+
+/// Runs eliminations in the arm's order; the evidence of completeness is that one more finds exactly what is there.
+#[inline(always)]
+pub(super) fn run<S: Simd>(
+    simd: S,
+    general: &General,
+    goal: &Goal<'_>,
+    target: &Target,
+    out: &mut Roots,
+) -> Completeness {
+    let mut pool = Pool::new();
+    let mut sigma = [0.0; CAPACITY];
+    let mut measured = 0;
+    let mut run = 0;
+    let mut agreed = false;
+    for elimination in general.eliminations.iter().take(MOST) {
+        let before = pool.count;
+        pool.start();
+        elimination.run(simd, &general.tables, goal, target, &mut pool);
+        pool.finish();
+        run += 1;
+        let nothing_new = pool.count == before && pool.all_hit() && pool.count % 2 == 0;
+        if run < general.least || !nothing_new || (pool.count == 0 && run < LEAST_EMPTY) {
+            continue;
+        }
+        siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
+        measured = pool.count;
+        let singular = sigma[..pool.count].iter().any(|&s| s < TOLERANCES.doubles);
+        if !singular {
+            agreed = true;
+            break;
+        }
+    }
+    siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
+    let searched = siblings::search(simd, goal, &mut pool, &mut sigma);
+    let singular = sigma[..pool.count].iter().any(|&s| s < TOLERANCES.doubles);
+    write(general, &pool, &sigma, out);
+    let eliminations = run as u8;
+    let whole = pool.count <= MAX_ROOTS && pool.count % 2 == 0;
+    if singular {
+        Completeness::Singular { eliminations }
+    } else if whole && (agreed || searched) {
+        Completeness::Agreed { eliminations }
+    } else {
+        Completeness::Doubtful { eliminations }
+    }
+}
+
+/// Joint angles of the true arm.
+fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Roots) {
+    out.count = pool.count.min(MAX_ROOTS);
+    for (index, root) in out.list[..out.count].iter_mut().enumerate() {
+        let point = &pool.points[index];
+        *root = Root {
+            q: std::array::from_fn(|joint| point[6 + joint].atan2(point[joint])),
+            residual: pool.errors[index] / general.arm.scale.min(1.0),
+            sigma: sigma[index],
+        };
+    }
+}

@@ -1,0 +1,100 @@
+//! The solutions found so far, as sines and cosines.
+
+use pulp::Simd;
+
+use super::lanes::{Lane, Turn};
+use super::newton::Angles;
+use super::tolerances::TOLERANCES;
+
+/// Real roots that a pose can have at most (Primrose 1986); members of families may fill the rest.
+pub const MAX_ROOTS: usize = 16;
+/// Copies near double roots and points of families need some room more.
+pub(super) const CAPACITY: usize = 32;
+
+/// Cosine and sine of the six joints, cosines first.
+pub(super) type Point = [f64; 12];
+
+/// Distinct solutions, and which of them the current elimination has found.
+#[derive(Clone, Debug)]
+pub(super) struct Pool {
+    pub(super) count: usize,
+    pub(super) points: [Point; CAPACITY],
+    pub(super) errors: [f64; CAPACITY],
+    /// One bit for each solution that the current elimination found.
+    pub(super) hit: u64,
+    /// In how many eliminations each was found.
+    pub(super) hits: [u8; CAPACITY],
+}
+
+impl Pool {
+    pub(super) fn new() -> Self {
+        Self {
+            count: 0,
+            points: [[0.0; 12]; CAPACITY],
+            errors: [0.0; CAPACITY],
+            hit: 0,
+            hits: [0; CAPACITY],
+        }
+    }
+
+    /// Starts a new elimination.
+    pub(super) fn start(&mut self) {
+        self.hit = 0;
+    }
+
+    /// Counts what the elimination found.
+    pub(super) fn finish(&mut self) {
+        for (index, hits) in self.hits[..self.count].iter_mut().enumerate() {
+            *hits += ((self.hit >> index) & 1) as u8;
+        }
+    }
+
+    /// Whether the current elimination found everything.
+    pub(super) fn all_hit(&self) -> bool {
+        self.hit.count_ones() as usize == self.count
+    }
+
+    /// Adds the first `used` lanes whose error is at most `most`.
+    #[inline(always)]
+    pub(super) fn add<S: Simd>(&mut self, q: &Angles<S>, errors: Lane<S>, used: usize, most: f64) {
+        let mut error = [0.0; 8];
+        errors.store(&mut error, 0);
+        let mut numbers = [[0.0; 8]; 12];
+        for (joint, Turn { cos, sin }) in q.iter().enumerate() {
+            cos.store(&mut numbers[joint], 0);
+            sin.store(&mut numbers[6 + joint], 0);
+        }
+        for lane in 0..used.min(8) {
+            if error[lane] <= most {
+                let point: Point = std::array::from_fn(|k| numbers[k][lane]);
+                self.insert(&point, error[lane]);
+            }
+        }
+    }
+
+    /// Adds a solution unless it is there; either way it counts as hit.
+    pub(super) fn insert(&mut self, point: &Point, error: f64) {
+        for index in 0..self.count {
+            if distance(point, &self.points[index]) < TOLERANCES.same {
+                self.hit |= 1 << index;
+                if error < self.errors[index] {
+                    self.points[index] = *point;
+                    self.errors[index] = error;
+                }
+                return;
+            }
+        }
+        if self.count < CAPACITY {
+            self.points[self.count] = *point;
+            self.errors[self.count] = error;
+            self.hits[self.count] = 0;
+            self.hit |= 1 << self.count;
+            self.count += 1;
+        }
+    }
+}
+
+/// The largest difference of two solutions' sines and cosines.
+pub(super) fn distance(a: &Point, b: &Point) -> f64 {
+    a.iter().zip(b).fold(0.0, |most, (x, y)| most.max((x - y).abs()))
+}

@@ -1,0 +1,106 @@
+//! The roots of the polynomial in all lanes at once: safeguarded Newton steps between the ends of the intervals.
+
+use pulp::Simd;
+
+use super::isolate::{CANDIDATES, Candidates};
+use super::lanes::{Lane, Turn};
+use super::tables::{DEGREE, Tables, Trigonometric};
+use super::tolerances::TOLERANCES;
+
+/// Angles c and the polynomial's slope there.
+#[derive(Clone, Copy)]
+pub(super) struct Polished<S: Simd> {
+    pub(super) turn: Turn<S>,
+    pub(super) slope: Lane<S>,
+    /// The longest step that the determinant itself may add: none for points that are no simple roots.
+    pub(super) most: Lane<S>,
+}
+
+/// Newton steps at most; the last ones only for intervals that had to be halved.
+const STEPS: usize = 12;
+
+/// The roots of the candidates in register `register`.
+#[inline(always)]
+pub(super) fn polish<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    polynomial: &Trigonometric,
+    candidates: &Candidates,
+    register: usize,
+) -> Polished<S> {
+    let (mut cos, mut sin) = ([1.0; CANDIDATES], [0.0; CANDIDATES]);
+    for k in 0..candidates.count {
+        cos[k] = tables.arc_cos[0][usize::from(candidates.arc[k])];
+        sin[k] = tables.arc_sin[0][usize::from(candidates.arc[k])];
+    }
+    let middle = Turn {
+        cos: Lane::load(simd, &cos, register),
+        sin: Lane::load(simd, &sin, register),
+    };
+    let load = |list: &[f64; CANDIDATES]| Lane::load(simd, list, register);
+    let (mut low, mut high) = (load(&candidates.low), load(&candidates.high));
+    let (sign, mut at) = (load(&candidates.sign), load(&candidates.start));
+    let most = low.less(high).pick(
+        Lane::splat(simd, TOLERANCES.refine_step),
+        Lane::splat(simd, 0.0),
+    );
+    let (zero, half) = (Lane::splat(simd, 0.0), Lane::splat(simd, 0.5));
+    let mut turn = local(middle, at);
+    let (mut value, mut slope) = evaluate(polynomial, turn);
+    for _ in 0..STEPS {
+        let before = (value * sign).less(zero);
+        high = before.pick(at, high);
+        low = before.pick(low, at);
+        let newton = at - value / slope;
+        let inside = low.less(newton).and(newton.less(high));
+        let next = inside.pick(newton, half * (low + high));
+        let moved = (next - at).abs();
+        at = next;
+        turn = local(middle, at);
+        (value, slope) = evaluate(polynomial, turn);
+        if moved.largest() < POLISHED {
+            break;
+        }
+    }
+    Polished { turn, slope, most }
+}
+
+/// A step in radians after which the next one, by quadratic convergence, is at the noise of the coefficients.
+const POLISHED: f64 = 1e-5;
+
+/// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.
+#[inline(always)]
+fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
+    let constant = |value| offset.constant(value);
+    let square = offset * offset;
+    let mut sin = square.mul_add(constant(-1.0 / 5040.0), constant(1.0 / 120.0));
+    sin = square.mul_add(sin, constant(-1.0 / 6.0));
+    sin = (square * offset).mul_add(sin, offset);
+    let mut cos = square.mul_add(constant(1.0 / 40320.0), constant(-1.0 / 720.0));
+    cos = square.mul_add(cos, constant(1.0 / 24.0));
+    cos = square.mul_add(cos, constant(-0.5));
+    cos = square.mul_add(cos, constant(1.0));
+    Turn {
+        cos: middle.sin.subtract_product(sin, middle.cos * cos),
+        sin: middle.sin.mul_add(cos, middle.cos * sin),
+    }
+}
+
+/// The polynomial and its slope: Horner's rule for `sum (a_k - i b_k) z^k` and its derivative, `z = cos + i sin`.
+#[inline(always)]
+fn evaluate<S: Simd>(polynomial: &Trigonometric, z: Turn<S>) -> (Lane<S>, Lane<S>) {
+    let constant = |value| z.cos.constant(value);
+    let (mut re, mut im) = (constant(0.0), constant(0.0));
+    let (mut slope_re, mut slope_im) = (constant(0.0), constant(0.0));
+    for k in (1..=DEGREE).rev() {
+        let (a, b) = (polynomial[k], polynomial[DEGREE + k]);
+        let rate = k as f64;
+        let (x, y) = (re + constant(a), im + constant(-b));
+        re = z.sin.subtract_product(y, z.cos * x);
+        im = z.sin.mul_add(x, z.cos * y);
+        let (x, y) = (slope_re + constant(rate * a), slope_im + constant(-rate * b));
+        slope_re = z.sin.subtract_product(y, z.cos * x);
+        slope_im = z.sin.mul_add(x, z.cos * y);
+    }
+    (re + constant(polynomial[0]), -slope_im)
+}

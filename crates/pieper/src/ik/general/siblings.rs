@@ -1,0 +1,126 @@
+//! Near a singularity roots come in pairs, and the eliminations may see only one: its sibling is searched for along the
+//! direction in which the arm moves without moving its end.
+
+use pulp::{Simd, WithSimd};
+
+use super::lanes::{Lane, Turn};
+use super::newton::{Angles, Goal, measure, newton};
+use super::pool::{CAPACITY, Pool};
+use super::tolerances::TOLERANCES;
+
+/// Measures the solutions from `first` on.
+#[inline(always)]
+pub(super) fn measure_new<S: Simd>(
+    simd: S,
+    goal: &Goal<'_>,
+    pool: &Pool,
+    first: usize,
+    sigma: &mut [f64; CAPACITY],
+) {
+    let first = first - first % S::F64_LANES;
+    for register in first / S::F64_LANES..pool.count.div_ceil(S::F64_LANES) {
+        simd.vectorize(Measure {
+            goal,
+            pool,
+            register,
+            sigma,
+        });
+    }
+}
+
+struct Measure<'a, 'b> {
+    goal: &'a Goal<'b>,
+    pool: &'a Pool,
+    register: usize,
+    sigma: &'a mut [f64; CAPACITY],
+}
+
+impl WithSimd for Measure<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let q = gather(simd, self.pool, self.register);
+        let measured = measure(simd, self.goal, &q);
+        measured.sigma.store(self.sigma, self.register);
+    }
+}
+
+/// The solutions of one register.
+#[inline(always)]
+fn gather<S: Simd>(simd: S, pool: &Pool, register: usize) -> Angles<S> {
+    std::array::from_fn(|joint| {
+        let entry = |place: usize| {
+            let mut list = [0.0; 8];
+            for (lane, slot) in list.iter_mut().enumerate().take(S::F64_LANES) {
+                let index = (register * S::F64_LANES + lane).min(pool.count.saturating_sub(1));
+                *slot = pool.points[index][place];
+            }
+            Lane::load(simd, &list, 0)
+        };
+        Turn {
+            cos: entry(joint),
+            sin: entry(6 + joint),
+        }
+    })
+}
+
+/// Searches siblings of nearly singular solutions. True if there was nothing to do.
+#[inline(always)]
+pub(super) fn search<S: Simd>(
+    simd: S,
+    goal: &Goal<'_>,
+    pool: &mut Pool,
+    sigma: &mut [f64; CAPACITY],
+) -> bool {
+    let mut next = 0;
+    while next < pool.count {
+        if sigma[next] < TOLERANCES.singular {
+            let before = pool.count;
+            for register in 0..STARTS / S::F64_LANES {
+                simd.vectorize(Along {
+                    goal,
+                    pool,
+                    index: next,
+                    register,
+                });
+            }
+            measure_new(simd, goal, pool, before, sigma);
+        }
+        next += 1;
+    }
+    true
+}
+
+/// Starts along the null direction.
+const STARTS: usize = 16;
+
+/// Their distances in radians: far ones for flips of a wrist, near ones for the other half of a double root.
+const DISTANCES: [f64; STARTS] = [
+    2e-4, -2e-4, 2e-3, -2e-3, 1e-2, -1e-2, 5e-2, -5e-2, 0.3, -0.3, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0,
+];
+
+struct Along<'a, 'b> {
+    goal: &'a Goal<'b>,
+    pool: &'a mut Pool,
+    index: usize,
+    register: usize,
+}
+
+impl WithSimd for Along<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let point = self.pool.points[self.index];
+        let mut q: Angles<S> = std::array::from_fn(|joint| Turn {
+            cos: Lane::splat(simd, point[joint]),
+            sin: Lane::splat(simd, point[6 + joint]),
+        });
+        let measured = measure(simd, self.goal, &q);
+        let distance = Lane::load(simd, &DISTANCES, self.register);
+        for (turn, &along) in q.iter_mut().zip(&measured.free) {
+            *turn = turn.advanced(along * distance);
+        }
+        let errors = newton(simd, self.goal, &mut q);
+        self.pool.add(&q, errors, S::F64_LANES, TOLERANCES.closes);
+    }
+}

@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{Rigid, Turn, Vector, constant, cross, dot};
+use super::lanes::{Lane, Rigid, Turn, Vector, constant, cross, dot};
 
 /// The links of one elimination for one target: La to Le, and the inverse of Lf.
 pub(super) type Links = [Rigid; 6];
@@ -29,18 +29,21 @@ pub(super) fn complete<S: Simd>(simd: S, links: &Links, [c, d, e]: [Turn<S>; 3])
     let point = links[0].carry(&b.about_z(point));
     let axis = links[0].rotate(&b.about_z(axis));
     let side = links[0].rotate(&b.about_z(side));
-    let planar = |v: &Vector<S>, w: &Vector<S>| {
-        (
-            v[1].mul_add(w[1], v[0] * w[0]),
-            v[1].subtract_product(w[0], v[0] * w[1]),
-        )
-    };
     let (of_point, of_axis) = (planar(&point, &y_point), planar(&axis, &y_axis));
     let a = Turn::along(of_point.0 + of_axis.0, of_point.1 + of_axis.1);
     let (axis, side) = (a.about_z(axis), a.about_z(side));
     let y_side = constant(simd, links[5].column(0));
     let f = Turn::along(dot(&y_side, &side), dot(&y_side, &cross(&axis, &side)));
     [a, b, c, d, e, f]
+}
+
+/// Cosine and sine, times both lengths, of the turn about z from v to w.
+#[inline(always)]
+fn planar<S: Simd>(v: &Vector<S>, w: &Vector<S>) -> (Lane<S>, Lane<S>) {
+    (
+        v[1].mul_add(w[1], v[0] * w[0]),
+        v[1].subtract_product(w[0], v[0] * w[1]),
+    )
 }
 
 /// The angle b, by least squares.
@@ -53,10 +56,11 @@ fn second<S: Simd>(
 ) -> Turn<S> {
     let (rotation, t) = (&link.rotation, &link.shift);
     let g = constant(simd, rotation[2]);
-    let h = constant(
-        simd,
-        std::array::from_fn(|j| rotation[0][j] * t[0] + rotation[1][j] * t[1] + rotation[2][j] * t[2]),
-    );
+    let mut h = [0.0; 3];
+    for j in 0..3 {
+        h[j] = rotation[0][j] * t[0] + rotation[1][j] * t[1] + rotation[2][j] * t[2];
+    }
+    let h = constant(simd, h);
     let half = g[0].constant(0.5);
     let square = g[0].constant(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
     let right = [
@@ -67,7 +71,9 @@ fn second<S: Simd>(
     ];
     let zero = g[0].constant(0.0);
     let (mut cc, mut cs, mut ss, mut c_right, mut s_right) = (zero, zero, zero, zero, zero);
-    for ((row, v), right) in [(&g, point), (&g, axis), (&h, point), (&h, axis)].into_iter().zip(right) {
+    let rows = [(&g, point), (&g, axis), (&h, point), (&h, axis)];
+    for k in 0..4 {
+        let ((row, v), right) = (rows[k], right[k]);
         let cos = row[1].mul_add(v[1], row[0] * v[0]);
         let sin = row[0].subtract_product(v[1], row[1] * v[0]);
         let right = row[2].subtract_product(v[2], right);

@@ -1,4 +1,7 @@
 //! Numbers in the lanes of a vector register: several samples, arcs or roots at once.
+//!
+//! Code on lanes is written with loops and functions that are always inlined, without closures: a closure handed to the
+//! standard library is compiled without the vector unit's instructions, which then become calls.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -267,35 +270,34 @@ pub(super) struct Rigid {
 impl Rigid {
     pub(super) fn of(pose: &crate::spatial::Pose) -> Self {
         let (m, t) = (pose.rotation.matrix(), &pose.translation.vector);
+        let row = |i: usize| [m[(i, 0)], m[(i, 1)], m[(i, 2)]];
         Self {
-            rotation: std::array::from_fn(|i| std::array::from_fn(|j| m[(i, j)])),
+            rotation: [row(0), row(1), row(2)],
             shift: [t.x, t.y, t.z],
         }
     }
 
+    #[inline(always)]
     pub(super) fn column(&self, j: usize) -> [f64; 3] {
-        std::array::from_fn(|i| self.rotation[i][j])
+        let [x, y, z] = &self.rotation;
+        [x[j], y[j], z[j]]
     }
 
     /// The rotation of a direction in lanes.
     #[inline(always)]
     pub(super) fn rotate<S: Simd>(&self, v: &Vector<S>) -> Vector<S> {
-        let row = |i: usize| {
-            let [x, y, z] = self.rotation[i].map(|entry| v[0].constant(entry));
-            z.mul_add(v[2], y.mul_add(v[1], x * v[0]))
-        };
-        [row(0), row(1), row(2)]
+        let [x, y, z] = &self.rotation;
+        [along(x, v), along(y, v), along(z, v)]
     }
 
     /// A point in lanes, moved.
     #[inline(always)]
     pub(super) fn carry<S: Simd>(&self, p: &Vector<S>) -> Vector<S> {
         let turned = self.rotate(p);
-        let shift = self.shift.map(|entry| p[0].constant(entry));
         [
-            turned[0] + shift[0],
-            turned[1] + shift[1],
-            turned[2] + shift[2],
+            turned[0] + p[0].constant(self.shift[0]),
+            turned[1] + p[0].constant(self.shift[1]),
+            turned[2] + p[0].constant(self.shift[2]),
         ]
     }
 }
@@ -303,5 +305,46 @@ impl Rigid {
 /// A constant vector in lanes.
 #[inline(always)]
 pub(super) fn constant<S: Simd>(simd: S, v: [f64; 3]) -> Vector<S> {
-    v.map(|entry| Lane::splat(simd, entry))
+    [
+        Lane::splat(simd, v[0]),
+        Lane::splat(simd, v[1]),
+        Lane::splat(simd, v[2]),
+    ]
+}
+
+/// The component of a vector along a constant one.
+#[inline(always)]
+pub(super) fn along<S: Simd>(by: &[f64; 3], v: &Vector<S>) -> Lane<S> {
+    let [x, y, z] = constant(v[0].simd, *by);
+    z.mul_add(v[2], y.mul_add(v[1], x * v[0]))
+}
+
+/// A vector times a number.
+#[inline(always)]
+pub(super) fn scaled<S: Simd>(v: &Vector<S>, by: Lane<S>) -> Vector<S> {
+    [v[0] * by, v[1] * by, v[2] * by]
+}
+
+/// `yes` where the mask holds, `no` elsewhere.
+#[inline(always)]
+pub(super) fn pick<S: Simd, const N: usize>(
+    mask: Mask<S>,
+    yes: &[Lane<S>; N],
+    no: &[Lane<S>; N],
+) -> [Lane<S>; N] {
+    let mut out = *no;
+    for k in 0..N {
+        out[k] = mask.pick(yes[k], no[k]);
+    }
+    out
+}
+
+/// The sum of squares.
+#[inline(always)]
+pub(super) fn square<S: Simd, const N: usize>(v: &[Lane<S>; N]) -> Lane<S> {
+    let mut sum = v[0] * v[0];
+    for k in 1..N {
+        sum = v[k].mul_add(v[k], sum);
+    }
+    sum
 }

@@ -91,7 +91,13 @@ pub(super) fn motion(rigid: &Rigid) -> [Line; SIZE] {
 /// `D v`.
 #[inline(always)]
 pub(super) fn act(d: &[Line; SIZE], line: &Line) -> Line {
-    std::array::from_fn(|i| (0..SIZE).map(|j| d[i][j] * line[j]).sum())
+    let mut out = [0.0; SIZE];
+    for (entry, row) in out.iter_mut().zip(d) {
+        for (factor, part) in row.iter().zip(line) {
+            *entry += factor * part;
+        }
+    }
+    out
 }
 
 /// `n D`.

@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lane, Rigid, Turn, Vector, constant, cross, dot};
+use super::lanes::{Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, square};
 use super::tolerances::TOLERANCES;
 
 /// The arm and a target: `Rz(q1) L1 ... Rz(q6) = target`, the last link being part of the target, lengths scaled.
@@ -44,31 +44,37 @@ fn place<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Placed<S> {
         axes[i] = frame[2];
         origins[i] = origin;
         let (c, s) = (q[i].cos, q[i].sin);
-        let x: Vector<S> = std::array::from_fn(|k| s.mul_add(frame[1][k], c * frame[0][k]));
-        let y: Vector<S> = std::array::from_fn(|k| s.subtract_product(frame[0][k], c * frame[1][k]));
-        frame = [x, y, frame[2]];
-        if let Some(link) = goal.links.get(i) {
-            let combine = |by: [f64; 3], k: usize| {
-                let [a, b, d] = by.map(|entry| zero.constant(entry));
-                d.mul_add(frame[2][k], b.mul_add(frame[1][k], a * frame[0][k]))
-            };
-            origin = std::array::from_fn(|k| origin[k] + combine(link.shift, k));
-            frame = [0, 1, 2].map(|j| std::array::from_fn(|k| combine(link.column(j), k)));
+        for k in 0..3 {
+            let (x, y) = (frame[0][k], frame[1][k]);
+            frame[0][k] = s.mul_add(y, c * x);
+            frame[1][k] = s.subtract_product(x, c * y);
+        }
+        if i < 5 {
+            let link = &goal.links[i];
+            for k in 0..3 {
+                let row = [frame[0][k], frame[1][k], frame[2][k]];
+                origin[k] = origin[k] + along(&link.shift, &row);
+                for j in 0..3 {
+                    frame[j][k] = along(&link.column(j), &row);
+                }
+            }
         }
     }
     let position = constant(simd, goal.target.shift);
     let (mut turn, mut trace) = ([zero; 3], zero);
-    for (j, column) in frame.iter().enumerate() {
+    for j in 0..3 {
         let wanted = constant(simd, goal.target.column(j));
-        let part = cross(column, &wanted);
-        turn = std::array::from_fn(|k| turn[k] + part[k]);
-        trace = trace + dot(column, &wanted);
+        let part = cross(&frame[j], &wanted);
+        turn = [turn[0] + part[0], turn[1] + part[1], turn[2] + part[2]];
+        trace = trace + dot(&frame[j], &wanted);
     }
     let half = Lane::splat(simd, 0.5);
-    let error = std::array::from_fn(|k| {
-        if k < 3 { position[k] - origin[k] } else { half * turn[k - 3] }
-    });
-    let square = error.iter().fold(zero, |sum, &x: &Lane<S>| x.mul_add(x, sum));
+    let mut error = [zero; 6];
+    for k in 0..3 {
+        error[k] = position[k] - origin[k];
+        error[3 + k] = half * turn[k];
+    }
+    let square = square(&error);
     let turned_away = trace.less(one);
     Placed {
         axes,
@@ -85,7 +91,8 @@ impl<S: Simd> Placed<S> {
     fn jacobian(&self) -> Matrix<S> {
         let mut rows = [[self.error[0]; 6]; 6];
         for j in 0..6 {
-            let arm = std::array::from_fn(|k| self.end[k] - self.origins[j][k]);
+            let (end, origin) = (&self.end, &self.origins[j]);
+            let arm = [end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]];
             let velocity = cross(&self.axes[j], &arm);
             for k in 0..3 {
                 rows[k][j] = velocity[k];
@@ -99,37 +106,44 @@ impl<S: Simd> Placed<S> {
 /// Runs Newton's method in every lane and keeps the best angles of each. Returns their errors.
 #[inline(always)]
 pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> Lane<S> {
-    let splat = |value| Lane::splat(simd, value);
+    let (zero, one) = (Lane::splat(simd, 0.0), Lane::splat(simd, 1.0));
+    let half = Lane::splat(simd, 0.5);
+    let most = Lane::splat(simd, TOLERANCES.newton_step);
+    let (rounding, closes) = (
+        Lane::splat(simd, TOLERANCES.rounding),
+        Lane::splat(simd, TOLERANCES.closes),
+    );
+    let (hopeless, infinite) = (
+        Lane::splat(simd, TOLERANCES.hopeless),
+        Lane::splat(simd, f64::MAX),
+    );
     let mut at = *q;
-    let mut best = splat(f64::MAX);
+    let mut best = infinite;
     for step in 0..STEPS {
         let placed = place(simd, goal, &at);
         let better = placed.size.less(best);
-        for (kept, new) in q.iter_mut().zip(&at) {
-            kept.cos = better.pick(new.cos, kept.cos);
-            kept.sin = better.pick(new.sin, kept.sin);
+        for k in 0..6 {
+            q[k].cos = better.pick(at[k].cos, q[k].cos);
+            q[k].sin = better.pick(at[k].sin, q[k].sin);
         }
         // A root that no longer improves although it is small is done; so is one without hope.
-        let stalls = placed.size.less(splat(0.5) * best);
-        let small = best.less(splat(TOLERANCES.closes));
-        let mut active = small.pick(stalls.pick(splat(1.0), splat(0.0)), splat(1.0));
+        let improves = placed.size.less(half * best);
+        let small = best.less(closes);
+        let mut active = small.pick(improves.pick(one, zero), one);
         best = better.pick(placed.size, best);
-        active = best.less(splat(TOLERANCES.rounding)).pick(splat(0.0), active);
+        active = best.less(rounding).pick(zero, active);
         if step >= PATIENCE {
-            active = splat(TOLERANCES.hopeless).less(best).pick(splat(0.0), active);
+            active = hopeless.less(best).pick(zero, active);
         }
         if active.largest() == 0.0 {
             break;
         }
         let delta = solve(placed.jacobian(), placed.error);
-        let square = delta.iter().fold(splat(0.0), |sum, &x| x.mul_add(x, sum));
-        let length = square.sqrt();
-        let most = splat(TOLERANCES.newton_step);
-        let scale = most.less(length).pick(most / length, splat(1.0));
-        let moving = splat(0.0).less(active).and(length.less(splat(f64::MAX)));
-        let scale = moving.pick(scale, splat(0.0));
-        for (turn, &by) in at.iter_mut().zip(&delta) {
-            *turn = turn.advanced(moving.pick(by * scale, splat(0.0)));
+        let length = square(&delta).sqrt();
+        let scale = most.less(length).pick(most / length, one);
+        let moving = zero.less(active).and(length.less(infinite));
+        for k in 0..6 {
+            at[k] = at[k].advanced(moving.pick(delta[k] * scale, zero));
         }
     }
     best
@@ -172,8 +186,6 @@ fn solve<S: Simd>(mut a: Matrix<S>, mut r: [Lane<S>; 6]) -> [Lane<S>; 6] {
 /// What is measured at a root.
 #[derive(Clone, Copy)]
 pub(super) struct Measured<S: Simd> {
-    /// Norm of the pose's error.
-    pub(super) error: Lane<S>,
     /// Smallest singular value of the Jacobian.
     pub(super) sigma: Lane<S>,
     /// The joint motion that moves the end least, of unit length.
@@ -189,37 +201,51 @@ pub(super) fn measure<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Measu
     let placed = place(simd, goal, q);
     let inverse = invert(placed.jacobian());
     let zero = Lane::splat(simd, 0.0);
-    let norm = |v: &[Lane<S>; 6]| v.iter().fold(zero, |sum, &x| x.mul_add(x, sum)).sqrt();
     // The column of the inverse that is longest has a large part of what is sought.
     let mut free = [zero; 6];
     let mut length = zero;
     for j in 0..6 {
-        let column: [Lane<S>; 6] = std::array::from_fn(|i| inverse[i][j]);
-        let size = norm(&column);
+        let mut column = [zero; 6];
+        for i in 0..6 {
+            column[i] = inverse[i][j];
+        }
+        let size = square(&column).sqrt();
         let longer = length.less(size);
-        free = std::array::from_fn(|i| longer.pick(column[i], free[i]));
+        free = pick(longer, &column, &free);
         length = longer.pick(size, length);
     }
     let one = Lane::splat(simd, 1.0);
-    free = free.map(|x| x / length);
+    divide(&mut free, length);
     let mut stretch = length;
     for _ in 0..POWERS {
         let mut left = [zero; 6];
-        for j in 0..6 {
-            left[j] = (0..6).fold(zero, |sum, i| inverse[i][j].mul_add(free[i], sum));
+        for i in 0..6 {
+            for j in 0..6 {
+                left[j] = inverse[i][j].mul_add(free[i], left[j]);
+            }
         }
-        let size = norm(&left);
-        left = left.map(|x| x / size);
-        let next: [Lane<S>; 6] = std::array::from_fn(|i| {
-            (0..6).fold(zero, |sum, j| inverse[i][j].mul_add(left[j], sum))
-        });
-        stretch = norm(&next);
-        free = next.map(|x| x / stretch);
+        let length = square(&left).sqrt();
+        divide(&mut left, length);
+        free = [zero; 6];
+        for i in 0..6 {
+            for j in 0..6 {
+                free[i] = inverse[i][j].mul_add(left[j], free[i]);
+            }
+        }
+        stretch = square(&free).sqrt();
+        divide(&mut free, stretch);
     }
     Measured {
-        error: placed.size,
         sigma: one / stretch,
         free,
+    }
+}
+
+#[inline(always)]
+fn divide<S: Simd>(v: &mut [Lane<S>; 6], by: Lane<S>) {
+    let inverse = by.constant(1.0) / by;
+    for k in 0..6 {
+        v[k] = v[k] * inverse;
     }
 }
 
@@ -229,8 +255,8 @@ fn invert<S: Simd>(mut a: Matrix<S>) -> Matrix<S> {
     let (zero, one) = (a[0][0].constant(0.0), a[0][0].constant(1.0));
     let tiny = one.constant(1e-30);
     let mut out = [[zero; 6]; 6];
-    for (i, row) in out.iter_mut().enumerate() {
-        row[i] = one;
+    for i in 0..6 {
+        out[i][i] = one;
     }
     for k in 0..6 {
         for i in k + 1..6 {
@@ -246,8 +272,10 @@ fn invert<S: Simd>(mut a: Matrix<S>) -> Matrix<S> {
         }
         let pivot = a[k][k].abs().less(tiny).pick(tiny, a[k][k]);
         let inverse = one / pivot;
-        a[k] = a[k].map(|x| x * inverse);
-        out[k] = out[k].map(|x| x * inverse);
+        for j in 0..6 {
+            a[k][j] = a[k][j] * inverse;
+            out[k][j] = out[k][j] * inverse;
+        }
         for i in 0..6 {
             if i != k {
                 let factor = a[i][k];

@@ -66,7 +66,10 @@ impl Pool {
         }
         for lane in 0..used.min(8) {
             if error[lane] <= most {
-                let point: Point = std::array::from_fn(|k| numbers[k][lane]);
+                let mut point = [0.0; 12];
+                for (entry, list) in point.iter_mut().zip(&numbers) {
+                    *entry = list[lane];
+                }
                 self.insert(&point, error[lane]);
             }
         }
@@ -96,5 +99,9 @@ impl Pool {
 
 /// The largest difference of two solutions' sines and cosines.
 pub(super) fn distance(a: &Point, b: &Point) -> f64 {
-    a.iter().zip(b).fold(0.0, |most, (x, y)| most.max((x - y).abs()))
+    let mut most = 0.0_f64;
+    for (x, y) in a.iter().zip(b) {
+        most = most.max((x - y).abs());
+    }
+    most
 }

@@ -37,9 +37,10 @@ pub(super) fn polish<S: Simd>(
         cos: Lane::load(simd, &cos, register),
         sin: Lane::load(simd, &sin, register),
     };
-    let load = |list: &[f64; CANDIDATES]| Lane::load(simd, list, register);
-    let (mut low, mut high) = (load(&candidates.low), load(&candidates.high));
-    let (sign, mut at) = (load(&candidates.sign), load(&candidates.start));
+    let mut low = Lane::load(simd, &candidates.low, register);
+    let mut high = Lane::load(simd, &candidates.high, register);
+    let sign = Lane::load(simd, &candidates.sign, register);
+    let mut at = Lane::load(simd, &candidates.start, register);
     let most = low.less(high).pick(
         Lane::splat(simd, TOLERANCES.refine_step),
         Lane::splat(simd, 0.0),
@@ -71,15 +72,14 @@ const POLISHED: f64 = 1e-5;
 /// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.
 #[inline(always)]
 fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
-    let constant = |value| offset.constant(value);
     let square = offset * offset;
-    let mut sin = square.mul_add(constant(-1.0 / 5040.0), constant(1.0 / 120.0));
-    sin = square.mul_add(sin, constant(-1.0 / 6.0));
+    let mut sin = square.mul_add(offset.constant(-1.0 / 5040.0), offset.constant(1.0 / 120.0));
+    sin = square.mul_add(sin, offset.constant(-1.0 / 6.0));
     sin = (square * offset).mul_add(sin, offset);
-    let mut cos = square.mul_add(constant(1.0 / 40320.0), constant(-1.0 / 720.0));
-    cos = square.mul_add(cos, constant(1.0 / 24.0));
-    cos = square.mul_add(cos, constant(-0.5));
-    cos = square.mul_add(cos, constant(1.0));
+    let mut cos = square.mul_add(offset.constant(1.0 / 40320.0), offset.constant(-1.0 / 720.0));
+    cos = square.mul_add(cos, offset.constant(1.0 / 24.0));
+    cos = square.mul_add(cos, offset.constant(-0.5));
+    cos = square.mul_add(cos, offset.constant(1.0));
     Turn {
         cos: middle.sin.subtract_product(sin, middle.cos * cos),
         sin: middle.sin.mul_add(cos, middle.cos * sin),
@@ -89,18 +89,18 @@ fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
 /// The polynomial and its slope: Horner's rule for `sum (a_k - i b_k) z^k` and its derivative, `z = cos + i sin`.
 #[inline(always)]
 fn evaluate<S: Simd>(polynomial: &Trigonometric, z: Turn<S>) -> (Lane<S>, Lane<S>) {
-    let constant = |value| z.cos.constant(value);
-    let (mut re, mut im) = (constant(0.0), constant(0.0));
-    let (mut slope_re, mut slope_im) = (constant(0.0), constant(0.0));
+    let zero = z.cos.constant(0.0);
+    let (mut re, mut im, mut slope_re, mut slope_im) = (zero, zero, zero, zero);
     for k in (1..=DEGREE).rev() {
         let (a, b) = (polynomial[k], polynomial[DEGREE + k]);
         let rate = k as f64;
-        let (x, y) = (re + constant(a), im + constant(-b));
+        let (x, y) = (re + zero.constant(a), im + zero.constant(-b));
         re = z.sin.subtract_product(y, z.cos * x);
         im = z.sin.mul_add(x, z.cos * y);
-        let (x, y) = (slope_re + constant(rate * a), slope_im + constant(-rate * b));
+        let (a, b) = (zero.constant(rate * a), zero.constant(-rate * b));
+        let (x, y) = (slope_re + a, slope_im + b);
         slope_re = z.sin.subtract_product(y, z.cos * x);
         slope_im = z.sin.mul_add(x, z.cos * y);
     }
-    (re + constant(polynomial[0]), -slope_im)
+    (re + zero.constant(polynomial[0]), -slope_im)
 }

@@ -15,7 +15,7 @@
 use pulp::Simd;
 
 use super::elimination::{COLUMNS, Harmonics, ROWS};
-use super::lanes::{Lane, Turn, Vector, cross, dot};
+use super::lanes::{Lane, Turn, Vector, cross, dot, pick, scaled};
 
 /// How the resultant is taken: which of d and e is the unknown x, and the shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,12 +69,15 @@ pub(super) struct Reduced<S: Simd> {
 /// Eliminates at the angles c of the lanes.
 #[inline(always)]
 pub(super) fn reduce<S: Simd>(blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
-    let mut a: [[Lane<S>; COLUMNS]; ROWS] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let [still, cos, sin] = [0, 1, 2].map(|h| c.cos.constant(blocks[h][i][j]));
-            sin.mul_add(c.sin, cos.mul_add(c.cos, still))
-        })
-    });
+    let mut a = [[c.cos; COLUMNS]; ROWS];
+    for i in 0..ROWS {
+        for j in 0..COLUMNS {
+            let still = c.cos.constant(blocks[0][i][j]);
+            let cos = c.cos.constant(blocks[1][i][j]);
+            let sin = c.cos.constant(blocks[2][i][j]);
+            a[i][j] = sin.mul_add(c.sin, cos.mul_add(c.cos, still));
+        }
+    }
     let (least, most, product) = triangular(&mut a);
     // Back substitution: the last three columns become [X1; X2].
     for y in 6..COLUMNS {
@@ -86,13 +89,17 @@ pub(super) fn reduce<S: Simd>(blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
             a[i][y] = sum * a[i][i];
         }
     }
-    let x1: [Vector<S>; 3] = std::array::from_fn(|i| [a[i][6], a[i][7], a[i][8]]);
-    let p: [Vector<S>; 3] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
+    let mut x1 = [[c.cos; 3]; 3];
+    for i in 0..3 {
+        x1[i] = [a[i][6], a[i][7], a[i][8]];
+    }
+    let mut p = x1;
+    for i in 0..3 {
+        for j in 0..3 {
             let square = x1[i][1].mul_add(x1[1][j], x1[i][0].mul_add(x1[0][j], a[i + 3][6 + j]));
-            x1[i][2].mul_add(x1[2][j], square)
-        })
-    });
+            p[i][j] = x1[i][2].mul_add(x1[2][j], square);
+        }
+    }
     let determinant = dot(&p[0], &cross(&p[1], &p[2]));
     Reduced {
         value: -(product * product * determinant),
@@ -139,7 +146,11 @@ impl<S: Simd> Reduced<S> {
     pub(super) fn angles(&self, form: Form) -> (Turn<S>, Turn<S>) {
         let y = null_vector(&self.p);
         let e = Turn::along(y[1], y[2]);
-        let x1y: Vector<S> = std::array::from_fn(|i| dot(&self.x1[i], &y));
+        let x1y = [
+            dot(&self.x1[0], &y),
+            dot(&self.x1[1], &y),
+            dot(&self.x1[2], &y),
+        ];
         // tan((d + phi)/2) = -n/m; twice the angle of (m, -n).
         let (m, n) = (dot(&y, &y), dot(&y, &x1y));
         let half = Turn::along(m, -n);
@@ -158,21 +169,21 @@ impl<S: Simd> Reduced<S> {
 /// The largest cross product of two rows, first component not negative, at unit length.
 #[inline(always)]
 fn null_vector<S: Simd>(p: &[Vector<S>; 3]) -> Vector<S> {
-    let unit = p.map(|row| {
-        let square = dot(&row, &row).max(row[0].constant(f64::MIN_POSITIVE));
-        let inverse = row[0].constant(1.0) / square.sqrt();
-        row.map(|entry| entry * inverse)
-    });
+    let (one, tiny) = (p[0][0].constant(1.0), p[0][0].constant(f64::MIN_POSITIVE));
+    let mut unit = *p;
+    for row in &mut unit {
+        *row = scaled(row, one / dot(row, row).max(tiny).sqrt());
+    }
     let mut best = cross(&unit[0], &unit[1]);
     let mut square = dot(&best, &best);
     for (a, b) in [(1, 2), (2, 0)] {
         let candidate = cross(&unit[a], &unit[b]);
         let size = dot(&candidate, &candidate);
         let larger = square.less(size);
-        best = std::array::from_fn(|i| larger.pick(candidate[i], best[i]));
+        best = pick(larger, &candidate, &best);
         square = square.max(size);
     }
-    let sign = best[0].less(best[0].constant(0.0));
-    let inverse = square.constant(1.0) / square.max(square.constant(f64::MIN_POSITIVE)).sqrt();
-    best.map(|entry| sign.pick(-entry, entry) * inverse)
+    let inverse = one / square.max(tiny).sqrt();
+    let negative = best[0].less(best[0].constant(0.0));
+    scaled(&best, negative.pick(-inverse, inverse))
 }

@@ -48,20 +48,23 @@ impl WithSimd for Measure<'_, '_> {
 /// The solutions of one register.
 #[inline(always)]
 fn gather<S: Simd>(simd: S, pool: &Pool, register: usize) -> Angles<S> {
-    std::array::from_fn(|joint| {
-        let entry = |place: usize| {
-            let mut list = [0.0; 8];
-            for (lane, slot) in list.iter_mut().enumerate().take(S::F64_LANES) {
-                let index = (register * S::F64_LANES + lane).min(pool.count.saturating_sub(1));
-                *slot = pool.points[index][place];
-            }
-            Lane::load(simd, &list, 0)
-        };
-        Turn {
-            cos: entry(joint),
-            sin: entry(6 + joint),
+    let mut lists = [[0.0; 8]; 12];
+    for (place, list) in lists.iter_mut().enumerate() {
+        for (lane, slot) in list.iter_mut().enumerate().take(S::F64_LANES) {
+            let index = (register * S::F64_LANES + lane).min(pool.count.saturating_sub(1));
+            *slot = pool.points[index][place];
         }
-    })
+    }
+    let zero = Lane::splat(simd, 0.0);
+    let mut q = [Turn {
+        cos: zero,
+        sin: zero,
+    }; 6];
+    for (joint, turn) in q.iter_mut().enumerate() {
+        turn.cos = Lane::load(simd, &lists[joint], 0);
+        turn.sin = Lane::load(simd, &lists[6 + joint], 0);
+    }
+    q
 }
 
 /// Searches siblings of nearly singular solutions. True if there was nothing to do.
@@ -111,10 +114,15 @@ impl WithSimd for Along<'_, '_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let point = self.pool.points[self.index];
-        let mut q: Angles<S> = std::array::from_fn(|joint| Turn {
-            cos: Lane::splat(simd, point[joint]),
-            sin: Lane::splat(simd, point[6 + joint]),
-        });
+        let zero = Lane::splat(simd, 0.0);
+        let mut q = [Turn {
+            cos: zero,
+            sin: zero,
+        }; 6];
+        for (joint, turn) in q.iter_mut().enumerate() {
+            turn.cos = Lane::splat(simd, point[joint]);
+            turn.sin = Lane::splat(simd, point[6 + joint]);
+        }
         let measured = measure(simd, self.goal, &q);
         let distance = Lane::load(simd, &DISTANCES, self.register);
         for (turn, &along) in q.iter_mut().zip(&measured.free) {

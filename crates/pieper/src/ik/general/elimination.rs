@@ -15,16 +15,19 @@ use super::line::{self, Line, SIZE};
 use super::random::Random;
 use crate::spatial::Pose;
 
-/// Equations, columns (harmonics of d times harmonics of e), harmonics of c.
+/// Equations, columns (harmonics of d times harmonics of e), harmonics of one angle.
 pub(super) const ROWS: usize = 6;
 pub(super) const COLUMNS: usize = 9;
 const HARMONICS: usize = 3;
+/// Entries of a block of three columns, padded to whole registers.
+pub(super) const BLOCK: usize = 24;
 
-/// The matrix `M0 + cos c Mc + sin c Ms`.
-pub(super) type Harmonics = [[[f64; COLUMNS]; ROWS]; HARMONICS];
+/// The matrix `M0 + cos c Mc + sin c Ms`: for each harmonic of c and each of the resultant's unknown (d, or e if they are
+/// swapped) a block, column by column; its columns are the harmonics of the other one.
+pub(super) type Harmonics = [[[f64; BLOCK]; HARMONICS]; HARMONICS];
 
-/// Most entries of the product `S T`, padding included.
-const PRODUCT: usize = 216;
+/// Room for the product `S T`, at most 216 numbers with its padding; a power of two, so that a mask keeps within it.
+const PRODUCT: usize = 256;
 /// Most rows of S.
 const MOST_ROWS: usize = 9;
 /// Lanes are padded to a multiple of this.
@@ -39,8 +42,8 @@ pub(super) struct Linear {
     /// T: 15 rows of `width` numbers.
     fixed: Vec<f64>,
     width: usize,
-    /// Where entry (harmonic of c, row, column) of the matrix lies in the product.
-    places: Box<[[[u16; COLUMNS]; ROWS]; HARMONICS]>,
+    /// Where the entries of the matrix lie in the product.
+    places: Box<[[[u8; BLOCK]; HARMONICS]; HARMONICS]>,
     /// What the constant part of the other half contributes.
     constant: [f64; ROWS],
     /// The motion that perturbs the target's link.
@@ -74,7 +77,7 @@ impl Linear {
             rows,
             fixed,
             width,
-            places: places_of(case.slot, width),
+            places: places_of(case.slot, width, false),
             constant,
             perturbed,
         }
@@ -102,24 +105,29 @@ impl Linear {
                 sum.store(out, register);
             }
         }
-        let mut matrix = [[[0.0; COLUMNS]; ROWS]; HARMONICS];
+        let mut matrix = [[[0.0; BLOCK]; HARMONICS]; HARMONICS];
         for h in 0..HARMONICS {
-            for i in 0..ROWS {
-                for j in 0..COLUMNS {
-                    matrix[h][i][j] = product[usize::from(self.places[h][i][j]).min(PRODUCT - 1)];
+            for outer in 0..HARMONICS {
+                for k in 0..HARMONICS * ROWS {
+                    matrix[h][outer][k] = product[usize::from(self.places[h][outer][k])];
                 }
             }
         }
-        for (row, constant) in matrix[0].iter_mut().zip(&self.constant) {
-            row[0] -= constant;
+        for k in 0..ROWS {
+            matrix[0][0][k] -= self.constant[k];
         }
         matrix
+    }
+
+    /// Exchanges the roles of d and e.
+    pub(super) fn swap(&mut self, swapped: bool) {
+        self.places = places_of(self.slot, self.width, swapped);
     }
 }
 
 /// Where the entries lie: rows of S count the factors right of the target, lanes of T those left of it; for slot B
 /// the other way round.
-fn places_of(slot: Slot, width: usize) -> Box<[[[u16; COLUMNS]; ROWS]; HARMONICS]> {
+fn places_of(slot: Slot, width: usize, swapped: bool) -> Box<[[[u8; BLOCK]; HARMONICS]; HARMONICS]> {
     let place = |h: usize, i: usize, d: usize, e: usize| {
         let (row, lane) = match slot {
             Slot::B => (i, 9 * h + 3 * d + e),
@@ -127,13 +135,15 @@ fn places_of(slot: Slot, width: usize) -> Box<[[[u16; COLUMNS]; ROWS]; HARMONICS
             Slot::D => (e, ROWS * (3 * h + d) + i),
             Slot::E => (0, ROWS * (9 * h + 3 * d + e) + i),
         };
-        (row * width + lane) as u16
+        (row * width + lane) as u8
     };
-    let mut places = Box::new([[[0; COLUMNS]; ROWS]; HARMONICS]);
+    let mut places = Box::new([[[0; BLOCK]; HARMONICS]; HARMONICS]);
     for h in 0..HARMONICS {
-        for i in 0..ROWS {
-            for j in 0..COLUMNS {
-                places[h][i][j] = place(h, i, j / 3, j % 3);
+        for outer in 0..HARMONICS {
+            for k in 0..HARMONICS * ROWS {
+                let (inner, i) = (k / ROWS, k % ROWS);
+                let (d, e) = if swapped { (inner, outer) } else { (outer, inner) };
+                places[h][outer][k] = place(h, i, d, e);
             }
         }
     }

@@ -208,14 +208,14 @@ impl<S: Simd> Turn<S> {
         }
     }
 
-    /// Turned on by `by` radians, to third order in it: Newton's steps need no more.
+    /// Turned on by `by` radians, to fifth order in it: Newton's steps need no more, and no division.
     #[inline(always)]
     pub(super) fn advanced(self, by: Lane<S>) -> Self {
-        let one = by.constant(1.0);
-        let half = by * by.constant(0.5);
-        let square = half * half;
-        let scale = one / (one + square);
-        let (cos, sin) = ((one - square) * scale, (half + half) * scale);
+        let square = by * by;
+        let cos = square.mul_add(by.constant(1.0 / 24.0), by.constant(-0.5));
+        let cos = square.mul_add(cos, by.constant(1.0));
+        let sin = square.mul_add(by.constant(1.0 / 120.0), by.constant(-1.0 / 6.0));
+        let sin = (square * by).mul_add(sin, by);
         Self {
             cos: self.sin.subtract_product(sin, self.cos * cos),
             sin: self.sin.mul_add(cos, self.cos * sin),
@@ -225,7 +225,7 @@ impl<S: Simd> Turn<S> {
 
     /// One Newton step towards unit length.
     #[inline(always)]
-    fn tightened(self) -> Self {
+    pub(super) fn tightened(self) -> Self {
         let square = self.cos.mul_add(self.cos, self.sin * self.sin);
         let half = square.constant(0.5);
         let scale = half.subtract_product(square, square.constant(1.5));

@@ -59,7 +59,7 @@ fn sample_shift<S: Simd>(
     values: &mut [f64; SAMPLES],
     ratios: &mut [f64; SAMPLES],
 ) -> f64 {
-    let blocks = resultant::blocks(matrix, form);
+    let blocks = resultant::blocks(simd, matrix, form);
     let mut worst = Lane::splat(simd, f64::MAX);
     for register in 0..SAMPLES / S::F64_LANES {
         let c = Turn {

@@ -14,7 +14,7 @@
 
 use pulp::Simd;
 
-use super::elimination::{COLUMNS, Harmonics, ROWS};
+use super::elimination::{BLOCK, COLUMNS, Harmonics, ROWS};
 use super::lanes::{Lane, Turn, Vector, cross, dot, pick, scaled};
 
 /// How the resultant is taken: which of d and e is the unknown x, and the shift.
@@ -36,20 +36,20 @@ pub(super) const SHIFTS: [(f64, f64); 4] = [
 
 /// The harmonics in c of `[B C A]`.
 #[inline(always)]
-pub(super) fn blocks(matrix: &Harmonics, form: Form) -> Harmonics {
-    let (cos, sin) = SHIFTS[form.shift];
-    let (outer, inner) = if form.swapped { (1, 3) } else { (3, 1) };
-    let mut out = [[[0.0; COLUMNS]; ROWS]; 3];
-    for (out, from) in out.iter_mut().zip(matrix) {
-        for (out, from) in out.iter_mut().zip(from) {
-            for y in 0..3 {
-                let entry = |h: usize| from[outer * h + inner * y];
-                let turned_cos = cos * entry(1) - sin * entry(2);
-                let turned_sin = sin * entry(1) + cos * entry(2);
-                out[y] = 2.0 * turned_sin;
-                out[3 + y] = entry(0) - turned_cos;
-                out[6 + y] = entry(0) + turned_cos;
-            }
+pub(super) fn blocks<S: Simd>(simd: S, matrix: &Harmonics, form: Form) -> Harmonics {
+    let (cos, sin) = SHIFTS[form.shift & 3];
+    let (cos, sin) = (Lane::splat(simd, cos), Lane::splat(simd, sin));
+    let mut out = [[[0.0; BLOCK]; 3]; 3];
+    for h in 0..3 {
+        for register in 0..BLOCK / S::F64_LANES {
+            let one = Lane::load(simd, &matrix[h][0], register);
+            let of_cos = Lane::load(simd, &matrix[h][1], register);
+            let of_sin = Lane::load(simd, &matrix[h][2], register);
+            let turned_cos = sin.subtract_product(of_sin, cos * of_cos);
+            let turned_sin = sin.mul_add(of_cos, cos * of_sin);
+            (turned_sin + turned_sin).store(&mut out[h][0], register);
+            (one - turned_cos).store(&mut out[h][1], register);
+            (one + turned_cos).store(&mut out[h][2], register);
         }
     }
     out
@@ -72,9 +72,10 @@ pub(super) fn reduce<S: Simd>(blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
     let mut a = [[c.cos; COLUMNS]; ROWS];
     for i in 0..ROWS {
         for j in 0..COLUMNS {
-            let still = c.cos.constant(blocks[0][i][j]);
-            let cos = c.cos.constant(blocks[1][i][j]);
-            let sin = c.cos.constant(blocks[2][i][j]);
+            let (block, k) = (j / 3, ROWS * (j % 3) + i);
+            let still = c.cos.constant(blocks[0][block][k]);
+            let cos = c.cos.constant(blocks[1][block][k]);
+            let sin = c.cos.constant(blocks[2][block][k]);
             a[i][j] = sin.mul_add(c.sin, cos.mul_add(c.cos, still));
         }
     }

@@ -43,6 +43,12 @@ impl Target {
 }
 
 impl Elimination {
+    /// Takes the resultant in another form.
+    pub(super) fn set_form(&mut self, form: Form) {
+        self.form = form;
+        self.linear.swap(form.swapped);
+    }
+
     #[inline(always)]
     fn link<'a>(&self, target: &'a Target) -> &'a Pose {
         if self.case.inverted { &target.pose } else { &target.inverse }
@@ -57,7 +63,7 @@ impl Elimination {
         simd.vectorize(Isolate { tables, polynomial: &sampled.polynomial, out: &mut candidates });
         let mut links = self.links;
         links[self.case.place()] = Rigid::of(self.link(target));
-        let blocks = resultant::blocks(&matrix, self.form);
+        let blocks = simd.vectorize(Blocks { matrix: &matrix, form: self.form });
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
             simd.vectorize(Finish {
                 elimination: self,
@@ -106,6 +112,19 @@ impl WithSimd for Sample<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Sampled {
         sample(simd, self.tables, self.matrix, self.form)
+    }
+}
+
+struct Blocks<'a> {
+    matrix: &'a Harmonics,
+    form: Form,
+}
+
+impl WithSimd for Blocks<'_> {
+    type Output = Harmonics;
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Harmonics {
+        resultant::blocks(simd, self.matrix, self.form)
     }
 }
 

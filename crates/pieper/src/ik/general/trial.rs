@@ -132,7 +132,7 @@ impl Trial<'_> {
         let mut best_form = form;
         for swapped in [false, true] {
             for shift in 0..SHIFTS.len() {
-                best.form = Form { swapped, shift };
+                best.set_form(Form { swapped, shift });
                 let score: f64 = targets[..FORM_POSES]
                     .iter()
                     .map(|target| best.conditioning(simd, self.tables, target).max(1e-30).ln())
@@ -142,7 +142,7 @@ impl Trial<'_> {
                 }
             }
         }
-        best.form = best_form;
+        best.set_form(best_form);
         best
     }
 

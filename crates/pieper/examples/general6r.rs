@@ -128,6 +128,7 @@ struct Tally {
     doubtful: usize,
     singular: usize,
     roots: usize,
+    eliminations: usize,
     worst_error: f64,
     nanoseconds: Vec<f64>,
     setups: Vec<f64>,
@@ -147,6 +148,12 @@ impl Tally {
         self.nanoseconds.push(best);
         self.targets += 1;
         self.roots += roots.len();
+        self.eliminations += match completeness {
+            Completeness::OutOfReach => 0,
+            Completeness::Agreed { eliminations }
+            | Completeness::Singular { eliminations }
+            | Completeness::Doubtful { eliminations } => usize::from(eliminations),
+        };
         self.odd += roots.len() % 2;
         self.doubtful += usize::from(matches!(completeness, Completeness::Doubtful { .. }));
         self.singular += usize::from(matches!(completeness, Completeness::Singular { .. }));
@@ -179,13 +186,14 @@ impl Tally {
             list.get((share * last as f64) as usize).copied().unwrap_or(f64::NAN) / 1e3
         };
         println!(
-            "{name:18} targets {:6} misses {:3} odd {:3} doubtful {:4} singular {:4} roots/target {:5.2} error {:.1e} | us median {:6.2} 90% {:6.2} 99% {:6.2} 99.9% {:7.2} worst {:8.2} | set-up us median {:7.0} worst {:7.0}",
+            "{name:18} targets {:6} misses {:3} odd {:3} doubtful {:4} singular {:4} roots {:5.2} eliminations {:5.2} error {:.1e} | us median {:6.2} 90% {:6.2} 99% {:6.2} 99.9% {:7.2} worst {:8.2} | set-up us median {:7.0} worst {:7.0}",
             self.targets,
             self.misses,
             self.odd,
             self.doubtful,
             self.singular,
             self.roots as f64 / self.targets.max(1) as f64,
+            self.eliminations as f64 / self.targets.max(1) as f64,
             self.worst_error,
             at(&self.nanoseconds, 0.5),
             at(&self.nanoseconds, 0.9),

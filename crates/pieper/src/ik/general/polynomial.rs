@@ -23,13 +23,13 @@ pub(super) struct Sampled {
 #[inline(always)]
 pub(super) fn sample<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form: Form) -> Sampled {
     let (mut values, mut ratios) = ([0.0; SAMPLES], [0.0; SAMPLES]);
-    let mut worst = sample_shift(simd, tables, matrix, form, &mut values, &mut ratios);
+    let (mut worst, mut best) = sample_shift(simd, tables, matrix, form, &mut values, &mut ratios);
     for more in 1..resultant::SHIFTS.len() {
-        if worst >= TOLERANCES.pivot_ratio {
+        if worst >= TOLERANCES.pivot_ratio * best {
             break;
         }
         let shift = (form.shift + more) % resultant::SHIFTS.len();
-        worst = sample_shift(simd, tables, matrix, Form { shift, ..form }, &mut values, &mut ratios);
+        (worst, best) = sample_shift(simd, tables, matrix, Form { shift, ..form }, &mut values, &mut ratios);
     }
     let mut polynomial: Trigonometric = [0.0; COEFFICIENTS];
     for (coefficient, weights) in polynomial.iter_mut().zip(&tables.transform) {
@@ -49,7 +49,7 @@ pub(super) fn sample<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form
     }
 }
 
-/// One shift at all samples: takes over what is better than before. Returns the smallest ratio.
+/// One shift at all samples: takes over what is better than before. Returns the smallest and the largest ratio.
 #[inline(always)]
 fn sample_shift<S: Simd>(
     simd: S,
@@ -58,9 +58,9 @@ fn sample_shift<S: Simd>(
     form: Form,
     values: &mut [f64; SAMPLES],
     ratios: &mut [f64; SAMPLES],
-) -> f64 {
+) -> (f64, f64) {
     let blocks = resultant::blocks(simd, matrix, form);
-    let mut worst = Lane::splat(simd, f64::MAX);
+    let (mut worst, mut best) = (Lane::splat(simd, f64::MAX), Lane::splat(simd, 0.0));
     for register in 0..SAMPLES / S::F64_LANES {
         let c = Turn {
             cos: Lane::load(simd, &tables.sample_cos, register),
@@ -73,14 +73,14 @@ fn sample_shift<S: Simd>(
         let ratio = better.pick(reduced.ratio, before);
         value.store(values, register);
         ratio.store(ratios, register);
-        worst = worst.min(ratio);
+        (worst, best) = (worst.min(ratio), best.max(ratio));
     }
-    worst.smallest()
+    (worst.smallest(), best.largest())
 }
 
 /// The smallest pivot ratio of one form alone.
 #[inline(always)]
 pub(super) fn worst_ratio<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form: Form) -> f64 {
     let (mut values, mut ratios) = ([0.0; SAMPLES], [0.0; SAMPLES]);
-    sample_shift(simd, tables, matrix, form, &mut values, &mut ratios)
+    sample_shift(simd, tables, matrix, form, &mut values, &mut ratios).0
 }

@@ -165,10 +165,17 @@ impl Tally {
         };
         for root in roots.iter() {
             let off = forward(links, &root.q).to_homogeneous() - target.to_homogeneous();
+            if std::env::var_os("VERBOSE").is_some() && off.amax() > 1e-12 {
+                println!("  error {:.1e} sigma {:.1e} residual {:.1e} of {} {completeness:?}", off.amax(), root.sigma, root.residual, roots.len());
+            }
             if root.sigma > 1e-4 {
                 self.worst_error = self.worst_error.max(off.amax());
             }
             assert!(off.amax() < 1e-9, "a wrong solution: {label} {root:?}");
+        }
+        if std::env::var_os("VERBOSE").is_some() && matches!(completeness, Completeness::Doubtful { .. }) {
+            let sigmas: Vec<String> = roots.iter().map(|r| format!("{:.1e}", r.sigma)).collect();
+            println!("  {label} {completeness:?} {sigmas:?}");
         }
         let nearest = roots.iter().map(|r| difference(&r.q)).fold(f64::INFINITY, f64::min);
         let allowed = 1e-6;

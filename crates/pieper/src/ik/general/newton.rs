@@ -29,8 +29,9 @@ struct Placed<S: Simd> {
 }
 
 /// Newton steps at most.
-const STEPS: usize = 16;
-/// Steps after which a root that is still `hopeless` is given up.
+const STEPS: usize = 32;
+/// Steps after which a root that is still `hopeless` is given up; that bound then falls by half with each step, where
+/// even at a double root Newton's method divides the error by four.
 const PATIENCE: usize = 4;
 
 #[inline(always)]
@@ -113,10 +114,8 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
         Lane::splat(simd, TOLERANCES.rounding),
         Lane::splat(simd, TOLERANCES.closes),
     );
-    let (hopeless, infinite) = (
-        Lane::splat(simd, TOLERANCES.hopeless),
-        Lane::splat(simd, f64::MAX),
-    );
+    let mut hopeless = Lane::splat(simd, TOLERANCES.hopeless);
+    let infinite = Lane::splat(simd, f64::MAX);
     let mut at = *q;
     let mut best = infinite;
     for step in 0..STEPS {
@@ -134,6 +133,7 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
         active = best.less(rounding).pick(zero, active);
         if step >= PATIENCE {
             active = hopeless.less(best).pick(zero, active);
+            hopeless = hopeless * half;
         }
         if active.largest() == 0.0 {
             break;

@@ -32,10 +32,11 @@ pub(super) fn run<S: Simd>(
         let before = pool.count;
         pool.start();
         elimination.run(simd, &general.tables, goal, target, &mut pool);
-        pool.finish();
         run += 1;
         let nothing_new = pool.count == before && pool.all_hit() && pool.count % 2 == 0;
-        if run < general.least || !nothing_new || (pool.count == 0 && run < LEAST_EMPTY) {
+        // A near-miss in one elimination may be two roots in another.
+        let least = general.least + usize::from(pool.unsure);
+        if run < least || !nothing_new || (pool.count == 0 && run < LEAST_EMPTY) {
             continue;
         }
         siblings::measure_new(simd, goal, &pool, measured, &mut sigma);

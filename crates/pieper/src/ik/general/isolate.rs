@@ -17,6 +17,8 @@ pub(super) const CANDIDATES: usize = 32;
 #[derive(Clone, Debug)]
 pub(super) struct Candidates {
     pub(super) count: usize,
+    /// Some of them are near-misses: points beside which there may be two roots or none.
+    pub(super) unsure: bool,
     pub(super) arc: [u8; CANDIDATES],
     /// Offsets from the arc's middle, radians; equal for a point.
     pub(super) low: [f64; CANDIDATES],
@@ -31,6 +33,7 @@ impl Candidates {
     pub(super) fn new() -> Self {
         Self {
             count: 0,
+            unsure: false,
             arc: [0; CANDIDATES],
             low: [0.0; CANDIDATES],
             high: [0.0; CANDIDATES],
@@ -53,6 +56,7 @@ impl Candidates {
     }
 
     fn push_point(&mut self, arc: usize, at: f64) {
+        self.unsure = true;
         self.push(arc, (at, at), (1.0, -1.0));
     }
 }
@@ -144,7 +148,7 @@ impl Arc<'_> {
     fn subdivide(&self, list: [f64; BERNSTEIN], out: &mut Candidates) {
         let whole = Piece { low: -HALF, high: HALF, list };
         let mut stack = [whole; DEPTH + 1];
-        let mut depth = 1;
+        let (mut depth, mut proposed) = (1, false);
         while depth > 0 {
             depth -= 1;
             let piece = stack[depth];
@@ -152,7 +156,7 @@ impl Arc<'_> {
             match sign_changes(&piece.list) {
                 0 => {}
                 1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
-                2 if width < TOLERANCES.pair_width && self.pair(&piece, out) => {}
+                2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
                 _ if width < TOLERANCES.least_width || depth + 2 > DEPTH => {
                     out.push_point(self.index, 0.5 * (piece.low + piece.high));
                 }
@@ -167,8 +171,9 @@ impl Arc<'_> {
 
     /// Two roots or none, with an extremum between: finds it by Newton's method. Either it is across zero from the ends
     /// and parts two roots; or the roots are a complex pair, and if that is as close to real as noise can make it,
-    /// points around are proposed. False if there is no extremum inside.
-    fn pair(&self, piece: &Piece, out: &mut Candidates) -> bool {
+    /// points around are proposed, once in an arc. True if the piece is decided: not if there is no extremum inside, or
+    /// if the piece is so long that there may be another.
+    fn pair(&self, piece: &Piece, proposed: &mut bool, out: &mut Candidates) -> bool {
         let mut at = 0.5 * (piece.low + piece.high);
         let margin = piece.high - piece.low;
         let mut values = self.values(at);
@@ -193,12 +198,13 @@ impl Arc<'_> {
             return true;
         }
         let imaginary = (2.0 * values[0] / values[2]).abs().sqrt();
-        if imaginary < TOLERANCES.near_miss {
+        if imaginary < TOLERANCES.near_miss && !*proposed {
+            *proposed = true;
             for offset in [0.0, imaginary, -imaginary] {
                 out.push_point(self.index, at + offset);
             }
         }
-        true
+        margin < TOLERANCES.short
     }
 
     /// The polynomial and its first two derivatives at an offset from the middle.

@@ -22,8 +22,8 @@ pub(super) struct Pool {
     pub(super) errors: [f64; CAPACITY],
     /// One bit for each solution that the current elimination found.
     pub(super) hit: u64,
-    /// In how many eliminations each was found.
-    pub(super) hits: [u8; CAPACITY],
+    /// Some elimination saw a near-miss.
+    pub(super) unsure: bool,
 }
 
 impl Pool {
@@ -33,20 +33,13 @@ impl Pool {
             points: [[0.0; 12]; CAPACITY],
             errors: [0.0; CAPACITY],
             hit: 0,
-            hits: [0; CAPACITY],
+            unsure: false,
         }
     }
 
     /// Starts a new elimination.
     pub(super) fn start(&mut self) {
         self.hit = 0;
-    }
-
-    /// Counts what the elimination found.
-    pub(super) fn finish(&mut self) {
-        for (index, hits) in self.hits[..self.count].iter_mut().enumerate() {
-            *hits += ((self.hit >> index) & 1) as u8;
-        }
     }
 
     /// Whether the current elimination found everything.
@@ -90,7 +83,6 @@ impl Pool {
         if self.count < CAPACITY {
             self.points[self.count] = *point;
             self.errors[self.count] = error;
-            self.hits[self.count] = 0;
             self.hit |= 1 << self.count;
             self.count += 1;
         }

@@ -61,6 +61,7 @@ impl Elimination {
         let sampled = simd.vectorize(Sample { tables, matrix: &matrix, form: self.form });
         let mut candidates = Candidates::new();
         simd.vectorize(Isolate { tables, polynomial: &sampled.polynomial, out: &mut candidates });
+        pool.unsure |= candidates.unsure;
         let mut links = self.links;
         links[self.case.place()] = Rigid::of(self.link(target));
         let blocks = simd.vectorize(Blocks { matrix: &matrix, form: self.form });

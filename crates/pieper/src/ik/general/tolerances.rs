@@ -7,8 +7,11 @@
 pub(super) struct Tolerances {
     /// A sample whose pivots differ by more than this loses so many digits that other shifts are tried.
     pub(super) pivot_ratio: f64,
-    /// Radians. On an interval this short, two sign changes are decided by the extremum between them.
+    /// Radians. On an interval this short, an extremum is sought where there are two sign changes. Not shorter: a complex
+    /// pair leaves no sign changes on intervals of the size of its imaginary part.
     pub(super) pair_width: f64,
+    /// Radians. On an interval this short there is one extremum only.
+    pub(super) short: f64,
     /// Radians. No interval is cut further: the noise of the coefficients moves close roots by as much.
     pub(super) least_width: f64,
     /// Radians. A complex pair with a smaller imaginary part may be two real roots in truth.
@@ -35,7 +38,8 @@ pub(super) struct Tolerances {
 /// The one set in use.
 pub(super) const TOLERANCES: Tolerances = Tolerances {
     pivot_ratio: 1e-3,
-    pair_width: 0.025,
+    pair_width: 0.1,
+    short: 0.025,
     least_width: 2e-4,
     near_miss: 0.03,
     refine_step: 0.02,

@@ -1,6 +1,6 @@
 //! Measures the general 6R solver: misses and times on random arms, structured arms and named ones.
 //!
-//! `cargo run --release -p pieper --example general6r -- [general|structured|named] [arms] [poses per arm] [seed]`
+//! `cargo run --release -p pieper --example general6r -- [general|structured|named|singular|outside] [arms] [poses per arm] [seed]`
 //!
 //! A miss is a target whose generating joint values are not among the solutions (within 1e-6 rad).
 //! Times are of single calls, or the best of five with `named`.
@@ -181,7 +181,11 @@ impl Tally {
         let allowed = 1e-6;
         if nearest > allowed {
             self.misses += 1;
-            println!("  miss: {label} q {q:?} nearest {nearest:.1e} found {} {completeness:?}", roots.len());
+            println!(
+                "  miss: {label} q {q:?} sigma {:.1e} nearest {nearest:.1e} found {} {completeness:?}",
+                jacobian(links, q).singular_values().min(),
+                roots.len()
+            );
         }
     }
 
@@ -213,6 +217,21 @@ impl Tally {
     }
 }
 
+/// The Jacobian in metres and radians at the last link.
+fn jacobian(links: &[Pose; 6], q: &[f64; 6]) -> nalgebra::Matrix6<f64> {
+    let end = forward(links, q);
+    let mut jacobian = nalgebra::Matrix6::zeros();
+    let mut pose = Pose::identity();
+    for j in 0..6 {
+        let axis = pose.rotation * Vector3::z();
+        let arm = end.translation.vector - pose.translation.vector;
+        jacobian.fixed_view_mut::<3, 1>(0, j).copy_from(&axis.cross(&arm));
+        jacobian.fixed_view_mut::<3, 1>(3, j).copy_from(&axis);
+        pose = pose * spatial::turn(&Vector3::z_axis(), q[j].sin_cos()) * links[j];
+    }
+    jacobian
+}
+
 fn angles(random: &mut fastrand::Rng) -> [f64; 6] {
     std::array::from_fn(|_| (2.0 * random.f64() - 1.0) * PI)
 }
@@ -222,6 +241,73 @@ fn prepare(links: &[Pose; 6], tally: &mut Tally) -> Option<General> {
     let general = General::prepare(links).ok();
     tally.setups.push(start.elapsed().as_nanos() as f64);
     general
+}
+
+/// The determinant of the Jacobian.
+fn determinant(links: &[Pose; 6], q: &[f64; 6]) -> f64 {
+    jacobian(links, q).determinant()
+}
+
+/// Targets at a distance of 1e-3 ... 1e-12 rad from singular configurations of random arms and named ones.
+fn sweep(arms: usize, random: &mut fastrand::Rng) {
+    let mut list: Vec<[Pose; 6]> = named().iter().map(|(_, rows)| rows.map(link)).collect();
+    list.extend((0..arms).map(|_| random_arm(random, false)));
+    let mut tallies: Vec<Tally> = (0..5).map(|_| Tally::default()).collect();
+    for (number, links) in list.iter().enumerate() {
+        let Some(general) = prepare(links, &mut tallies[0]) else {
+            continue;
+        };
+        for _ in 0..20 {
+            let (start, end) = (angles(random), angles(random));
+            let at = |t: f64| std::array::from_fn(|j| start[j] + t * (end[j] - start[j]));
+            let (mut low, mut high) = (0.0, 1.0);
+            let sign = determinant(links, &at(low)).signum();
+            if sign == determinant(links, &at(high)).signum() {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if determinant(links, &at(middle)).signum() == sign { low = middle } else { high = middle }
+            }
+            for (tally, distance) in tallies.iter_mut().zip([1e-3, 1e-5, 1e-7, 1e-9, 1e-12]) {
+                tally.target(&general, links, &at(low - distance), 1, &format!("arm {number} {distance:e}"));
+            }
+        }
+    }
+    for (tally, name) in tallies.iter_mut().zip(["1e-3", "1e-5", "1e-7", "1e-9", "1e-12"]) {
+        tally.print(name);
+    }
+}
+
+/// Targets that no arm of random general ones reaches, or few: positions around the reach, any orientation.
+fn outside(arms: usize, poses: usize, random: &mut fastrand::Rng) {
+    let mut list: Vec<[Pose; 6]> = named().iter().map(|(_, rows)| rows.map(link)).collect();
+    list.extend((0..arms).map(|_| random_arm(random, false)));
+    let (mut times, mut none, mut some) = (Vec::new(), 0, 0);
+    for links in &list {
+        let Ok(general) = General::prepare(links) else {
+            continue;
+        };
+        let reach: f64 = links.iter().map(|link| link.translation.vector.norm()).sum();
+        for _ in 0..poses {
+            let mut target = forward(links, &angles(random));
+            let length = target.translation.vector.norm();
+            target.translation.vector *= reach * (0.5 + 0.5 * random.f64()) / length;
+            let mut roots = Roots::default();
+            let start = Instant::now();
+            general.solve(std::hint::black_box(&target), &mut roots);
+            let time = start.elapsed().as_nanos() as f64 / 1e3;
+            if roots.is_empty() {
+                none += 1;
+                times.push(time);
+            } else {
+                some += 1;
+            }
+        }
+    }
+    times.sort_by(f64::total_cmp);
+    let at = |share: f64| times[(share * (times.len() - 1) as f64) as usize];
+    println!("outside: {some} reached, {none} not; us for those median {:.2} 90% {:.2} 99% {:.2}", at(0.5), at(0.9), at(0.99));
 }
 
 fn main() {
@@ -243,6 +329,14 @@ fn main() {
             }
             tally.print(name);
         }
+        return;
+    }
+    if what == "singular" {
+        sweep(arms, &mut random);
+        return;
+    }
+    if what == "outside" {
+        outside(arms, poses, &mut random);
         return;
     }
     let mut tally = Tally::default();

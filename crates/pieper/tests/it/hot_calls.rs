@@ -37,7 +37,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-fn allocations(mut call: impl FnMut()) -> usize {
+pub(crate) fn allocations(mut call: impl FnMut()) -> usize {
     let before = ALLOCATIONS.with(Cell::get);
     call();
     ALLOCATIONS.with(Cell::get) - before

@@ -108,8 +108,8 @@ impl std::ops::Deref for Roots {
 /// How sure it is that all solutions were found, and how that was established.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
-    /// So many eliminations were run, the last of them found exactly the set of the others, an even number of regular
-    /// roots. Not a proof; see the measured rates.
+    /// So many eliminations were run, the last of them found exactly the set of the others (or the last two found nothing
+    /// new, and every root was found twice), an even number of regular roots. Not a proof; see the measured rates.
     Agreed {
         /// Eliminations run.
         eliminations: u8,

@@ -28,39 +28,63 @@ pub(super) fn run<S: Simd>(
     let mut measured = 0;
     let mut run = 0;
     let mut agreed = false;
+    let (mut once, mut twice, mut quiet) = (0_u64, 0_u64, 0);
     for elimination in general.eliminations.iter().take(MOST) {
         let before = pool.count;
         pool.start();
         elimination.run(simd, &general.tables, goal, target, &mut pool);
         run += 1;
-        let nothing_new = pool.count == before && pool.all_hit() && pool.count % 2 == 0;
+        (once, twice) = (once | pool.hit, twice | (once & pool.hit));
+        quiet = if pool.count == before { quiet + 1 } else { 0 };
         // A near-miss in one elimination may be two roots in another.
         let least = general.least + usize::from(pool.unsure);
-        if run < least || !nothing_new || (pool.count == 0 && run < LEAST_EMPTY) {
+        if run < least || (pool.count == 0 && run < LEAST_EMPTY) {
             continue;
         }
         siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
+        let merged = pool.merge(&mut sigma);
         measured = pool.count;
-        let singular = sigma[..pool.count].iter().any(|&s| s < TOLERANCES.doubles);
-        if !singular {
-            agreed = true;
+        if merged {
+            (once, twice) = (0, 0);
+        }
+        // Copies of a double root and members of a family say nothing: they may be new every time.
+        let singular = pool.mask(&sigma, |s| s < TOLERANCES.doubles);
+        let known = if merged { u64::MAX } else { (1 << before) - 1 };
+        let regular = pool.mask(&sigma, |s| s >= TOLERANCES.doubles);
+        let nothing_new = regular & !(pool.hit & known) == 0;
+        agreed = if singular == 0 {
+            let seen_twice = !merged && regular & !twice == 0 && quiet >= QUIET;
+            (nothing_new || seen_twice) && pool.count % 2 == 0
+        } else {
+            nothing_new && run >= least + EXTRA_SINGULAR
+        };
+        if agreed {
             break;
         }
     }
     siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
-    let searched = siblings::search(simd, goal, &mut pool, &mut sigma);
-    let singular = sigma[..pool.count].iter().any(|&s| s < TOLERANCES.doubles);
+    if !(agreed && siblings::paired(&pool, &sigma)) {
+        siblings::search(simd, goal, &mut pool, &mut sigma);
+    }
+    pool.merge(&mut sigma);
+    let singular = pool.mask(&sigma, |s| s < TOLERANCES.doubles) != 0;
     write(general, &pool, &sigma, out);
     let eliminations = run as u8;
     let whole = pool.count <= MAX_ROOTS && pool.count % 2 == 0;
     if singular {
         Completeness::Singular { eliminations }
-    } else if whole && (agreed || searched) {
+    } else if whole && agreed {
         Completeness::Agreed { eliminations }
     } else {
         Completeness::Doubtful { eliminations }
     }
 }
+
+/// Where eliminations differ: so many in a row that add nothing agree, too, if every root was found twice by then.
+const QUIET: usize = 2;
+
+/// Eliminations more than usual where a root is singular: its number says nothing there.
+const EXTRA_SINGULAR: usize = 1;
 
 /// Joint angles of the true arm.
 fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Roots) {

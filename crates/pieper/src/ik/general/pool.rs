@@ -42,9 +42,45 @@ impl Pool {
         self.hit = 0;
     }
 
-    /// Whether the current elimination found everything.
-    pub(super) fn all_hit(&self) -> bool {
-        self.hit.count_ones() as usize == self.count
+    /// The solutions whose smallest singular value is as `wanted`, one bit each.
+    pub(super) fn mask(&self, sigma: &[f64; CAPACITY], wanted: impl Fn(f64) -> bool) -> u64 {
+        let bits = sigma[..self.count].iter().enumerate();
+        bits.fold(0, |mask, (index, &s)| mask | (u64::from(wanted(s)) << index))
+    }
+
+    /// Merges copies of singular solutions: rounding of the pose moves their joints by its size over sigma. True if there
+    /// were any.
+    pub(super) fn merge(&mut self, sigma: &mut [f64; CAPACITY]) -> bool {
+        let before = self.count;
+        let mut index = 1;
+        while index < self.count {
+            let copy = (0..index).find(|&kept| {
+                let s = sigma[kept].max(sigma[index]);
+                let allowed = (TOLERANCES.scatter / s).clamp(TOLERANCES.same, TOLERANCES.most_scatter);
+                s < TOLERANCES.singular && distance(&self.points[kept], &self.points[index]) < allowed
+            });
+            let Some(kept) = copy else {
+                index += 1;
+                continue;
+            };
+            let last = self.count - 1;
+            // The joints' error at a double root grows with sigma: the smaller one is the better copy.
+            if sigma[index] < sigma[kept] && self.errors[index] < TOLERANCES.closes_well {
+                self.points[kept] = self.points[index];
+                self.errors[kept] = self.errors[index];
+                sigma[kept] = sigma[index];
+            }
+            if (self.hit >> index) & 1 == 1 {
+                self.hit |= 1 << kept;
+            }
+            self.points.copy_within(index + 1..=last, index);
+            self.errors.copy_within(index + 1..=last, index);
+            sigma.copy_within(index + 1..=last, index);
+            let below = (1_u64 << index) - 1;
+            self.hit = (self.hit & below) | ((self.hit >> 1) & !below);
+            self.count = last;
+        }
+        self.count < before
     }
 
     /// Adds the first `used` lanes whose error is at most `most`.

@@ -67,17 +67,28 @@ fn gather<S: Simd>(simd: S, pool: &Pool, register: usize) -> Angles<S> {
     q
 }
 
-/// Searches siblings of nearly singular solutions. True if there was nothing to do.
+/// Whether every nearly singular solution has a partner that is as singular: siblings are, on both sides of a double root
+/// and at a wrist that flips. Families have more members than that.
+pub(super) fn paired(pool: &Pool, sigma: &[f64; CAPACITY]) -> bool {
+    let list = &sigma[..pool.count];
+    list.iter().enumerate().all(|(index, &s)| {
+        let alike = |(other, &t): (usize, &f64)| other != index && t < 2.0 * s && s < 2.0 * t;
+        s > TOLERANCES.singular || s < TOLERANCES.doubles || list.iter().enumerate().any(alike)
+    })
+}
+
+/// Searches siblings of nearly singular solutions.
 #[inline(always)]
 pub(super) fn search<S: Simd>(
     simd: S,
     goal: &Goal<'_>,
     pool: &mut Pool,
     sigma: &mut [f64; CAPACITY],
-) -> bool {
-    let mut next = 0;
-    while next < pool.count {
+) {
+    let (mut next, mut searched) = (0, 0);
+    while next < pool.count && searched < SEARCHES {
         if sigma[next] < TOLERANCES.singular {
+            searched += 1;
             let before = pool.count;
             for register in 0..STARTS / S::F64_LANES {
                 simd.vectorize(Along {
@@ -91,8 +102,10 @@ pub(super) fn search<S: Simd>(
         }
         next += 1;
     }
-    true
 }
+
+/// Searches at most: the members of a family would go on for ever.
+const SEARCHES: usize = 6;
 
 /// Starts along the null direction.
 const STARTS: usize = 16;

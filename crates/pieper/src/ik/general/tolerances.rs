@@ -27,10 +27,16 @@ pub(super) struct Tolerances {
     /// The largest error of an accepted root: quadratic convergence leaves nothing between this and rounding, but
     /// at singularities it stalls.
     pub(super) closes: f64,
+    /// An error that any copy of a root should have.
+    pub(super) closes_well: f64,
     /// Two roots whose joints differ by less, in sines and cosines, are one.
     pub(super) same: f64,
     /// Smallest singular value below which roots may be double: their number then says nothing.
     pub(super) doubles: f64,
+    /// What rounding does to a pose: over sigma, it is how far copies of a singular root lie apart.
+    pub(super) scatter: f64,
+    /// Copies are never farther apart than this, in sines and cosines.
+    pub(super) most_scatter: f64,
     /// Smallest singular value below which the joints of two copies differ by more than `same`, and siblings are sought.
     pub(super) singular: f64,
 }
@@ -47,7 +53,10 @@ pub(super) const TOLERANCES: Tolerances = Tolerances {
     newton_step: 0.5,
     rounding: 2e-15,
     closes: 1e-10,
+    closes_well: 1e-12,
     same: 1e-7,
+    scatter: 1e-14,
+    most_scatter: 1e-5,
     doubles: 1e-7,
     singular: 2e-3,
 };

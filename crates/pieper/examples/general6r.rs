@@ -24,9 +24,12 @@ fn link((d, a, alpha): Row) -> Pose {
 }
 
 fn forward(links: &[Pose; 6], q: &[f64; 6]) -> Pose {
-    links.iter().zip(q).fold(Pose::identity(), |pose, (link, &q)| {
-        pose * spatial::turn(&Vector3::z_axis(), q.sin_cos()) * link
-    })
+    links
+        .iter()
+        .zip(q)
+        .fold(Pose::identity(), |pose, (link, &q)| {
+            pose * spatial::turn(&Vector3::z_axis(), q.sin_cos()) * link
+        })
 }
 
 fn random_arm(random: &mut fastrand::Rng, structured: bool) -> [Pose; 6] {
@@ -135,7 +138,14 @@ struct Tally {
 }
 
 impl Tally {
-    fn target(&mut self, general: &General, links: &[Pose; 6], q: &[f64; 6], repeats: usize, label: &str) {
+    fn target(
+        &mut self,
+        general: &General,
+        links: &[Pose; 6],
+        q: &[f64; 6],
+        repeats: usize,
+        label: &str,
+    ) {
         let target = forward(links, q);
         let mut roots = Roots::default();
         let mut best = f64::INFINITY;
@@ -166,18 +176,29 @@ impl Tally {
         for root in roots.iter() {
             let off = forward(links, &root.q).to_homogeneous() - target.to_homogeneous();
             if std::env::var_os("VERBOSE").is_some() && off.amax() > 1e-12 {
-                println!("  error {:.1e} sigma {:.1e} residual {:.1e} of {} {completeness:?}", off.amax(), root.sigma, root.residual, roots.len());
+                println!(
+                    "  error {:.1e} sigma {:.1e} residual {:.1e} of {} {completeness:?}",
+                    off.amax(),
+                    root.sigma,
+                    root.residual,
+                    roots.len()
+                );
             }
             if root.sigma > 1e-4 {
                 self.worst_error = self.worst_error.max(off.amax());
             }
             assert!(off.amax() < 1e-9, "a wrong solution: {label} {root:?}");
         }
-        if std::env::var_os("VERBOSE").is_some() && matches!(completeness, Completeness::Doubtful { .. }) {
+        if std::env::var_os("VERBOSE").is_some()
+            && matches!(completeness, Completeness::Doubtful { .. })
+        {
             let sigmas: Vec<String> = roots.iter().map(|r| format!("{:.1e}", r.sigma)).collect();
             println!("  {label} {completeness:?} {sigmas:?}");
         }
-        let nearest = roots.iter().map(|r| difference(&r.q)).fold(f64::INFINITY, f64::min);
+        let nearest = roots
+            .iter()
+            .map(|r| difference(&r.q))
+            .fold(f64::INFINITY, f64::min);
         let allowed = 1e-6;
         if nearest > allowed {
             self.misses += 1;
@@ -194,7 +215,10 @@ impl Tally {
         self.setups.sort_by(f64::total_cmp);
         let at = |list: &[f64], share: f64| {
             let last = list.len().saturating_sub(1);
-            list.get((share * last as f64) as usize).copied().unwrap_or(f64::NAN) / 1e3
+            list.get((share * last as f64) as usize)
+                .copied()
+                .unwrap_or(f64::NAN)
+                / 1e3
         };
         println!(
             "{name:18} targets {:6} misses {:3} odd {:3} doubtful {:4} singular {:4} roots {:5.2} eliminations {:5.2} error {:.1e} | us median {:6.2} 90% {:6.2} 99% {:6.2} 99.9% {:7.2} worst {:8.2} | set-up us median {:7.0} worst {:7.0}",
@@ -225,7 +249,9 @@ fn jacobian(links: &[Pose; 6], q: &[f64; 6]) -> nalgebra::Matrix6<f64> {
     for j in 0..6 {
         let axis = pose.rotation * Vector3::z();
         let arm = end.translation.vector - pose.translation.vector;
-        jacobian.fixed_view_mut::<3, 1>(0, j).copy_from(&axis.cross(&arm));
+        jacobian
+            .fixed_view_mut::<3, 1>(0, j)
+            .copy_from(&axis.cross(&arm));
         jacobian.fixed_view_mut::<3, 1>(3, j).copy_from(&axis);
         pose = pose * spatial::turn(&Vector3::z_axis(), q[j].sin_cos()) * links[j];
     }
@@ -267,14 +293,27 @@ fn sweep(arms: usize, random: &mut fastrand::Rng) {
             }
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                if determinant(links, &at(middle)).signum() == sign { low = middle } else { high = middle }
+                if determinant(links, &at(middle)).signum() == sign {
+                    low = middle
+                } else {
+                    high = middle
+                }
             }
             for (tally, distance) in tallies.iter_mut().zip([1e-3, 1e-5, 1e-7, 1e-9, 1e-12]) {
-                tally.target(&general, links, &at(low - distance), 1, &format!("arm {number} {distance:e}"));
+                tally.target(
+                    &general,
+                    links,
+                    &at(low - distance),
+                    1,
+                    &format!("arm {number} {distance:e}"),
+                );
             }
         }
     }
-    for (tally, name) in tallies.iter_mut().zip(["1e-3", "1e-5", "1e-7", "1e-9", "1e-12"]) {
+    for (tally, name) in tallies
+        .iter_mut()
+        .zip(["1e-3", "1e-5", "1e-7", "1e-9", "1e-12"])
+    {
         tally.print(name);
     }
 }
@@ -288,7 +327,10 @@ fn outside(arms: usize, poses: usize, random: &mut fastrand::Rng) {
         let Ok(general) = General::prepare(links) else {
             continue;
         };
-        let reach: f64 = links.iter().map(|link| link.translation.vector.norm()).sum();
+        let reach: f64 = links
+            .iter()
+            .map(|link| link.translation.vector.norm())
+            .sum();
         for _ in 0..poses {
             let mut target = forward(links, &angles(random));
             let length = target.translation.vector.norm();
@@ -307,13 +349,20 @@ fn outside(arms: usize, poses: usize, random: &mut fastrand::Rng) {
     }
     times.sort_by(f64::total_cmp);
     let at = |share: f64| times[(share * (times.len() - 1) as f64) as usize];
-    println!("outside: {some} reached, {none} not; us for those median {:.2} 90% {:.2} 99% {:.2}", at(0.5), at(0.9), at(0.99));
+    println!(
+        "outside: {some} reached, {none} not; us for those median {:.2} 90% {:.2} 99% {:.2}",
+        at(0.5),
+        at(0.9),
+        at(0.99)
+    );
 }
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let number = |index: usize, otherwise: usize| {
-        arguments.get(index).map_or(otherwise, |text| text.parse().expect("a number"))
+        arguments
+            .get(index)
+            .map_or(otherwise, |text| text.parse().expect("a number"))
     };
     let what = arguments.first().map_or("named", String::as_str);
     let (arms, poses, seed) = (number(1, 1000), number(2, 100), number(3, 1) as u64);

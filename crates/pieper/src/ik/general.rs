@@ -1,13 +1,13 @@
 //! Any six revolute joints: all real solutions, up to 16, by elimination. A pure numeric kernel.
 //!
 //! `Rz(q1) L1 Rz(q2) L2 ... Rz(q6) L6 = T` with arbitrary constant links. The closed loop is reduced to one
-//! trigonometric polynomial of degree 8 in one joint angle ([`cycle`], [`elimination`], [`resultant`],
-//! [`polynomial`]), whose real roots are isolated ([`isolate`], [`refine`]), completed to six angles ([`back`]) and
-//! improved by Newton's method on the true arm ([`newton`]). Every step runs on several samples or roots at once.
+//! trigonometric polynomial of degree 8 in one joint angle (`cycle`, `elimination`, `resultant`,
+//! `polynomial`), whose real roots are isolated (`isolate`, `refine`), completed to six angles (`back`) and
+//! improved by Newton's method on the true arm (`newton`). Every step runs on several samples or roots at once.
 //! A single elimination loses about one root in a thousand to rounding, in clusters of roots; two with different
-//! kept joints are run, and more until they agree ([`agreement`]). Structured arms (parallel or meeting axes) make the
-//! resultant vanish identically; their linear part is perturbed, the arm itself is not ([`random`]). Which
-//! eliminations are used, and in which order, is decided per arm by solving test poses ([`trial`]).
+//! kept joints are run, and more until they agree (`agreement`). Structured arms (parallel or meeting axes) make the
+//! resultant vanish identically; their linear part is perturbed, the arm itself is not (`random`). Which
+//! eliminations are used, and in which order, is decided per arm by solving test poses (`trial`).
 //!
 //! Sources: M. Raghavan, B. Roth, J. Mech. Design 115, 1993 (the equations and the 12 x 12 resultant); D. Manocha,
 //! J. Canny, IEEE Trans. Robotics and Automation 10(5), 1994 (numeric elimination). The reduction to 3 x 3, the root
@@ -108,7 +108,7 @@ impl std::ops::Deref for Roots {
 /// How sure it is that all solutions were found, and how that was established.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
-    /// So many eliminations were run, the last of them found exactly the set of the others (or the last two found nothing
+    /// So many eliminations were run, the last of them found exactly the set of the others (or the last three found nothing
     /// new, and every root was found twice), an even number of regular roots. Not a proof; see the measured rates.
     Agreed {
         /// Eliminations run.
@@ -199,12 +199,18 @@ impl Scaled {
                 .all(|x| x.is_finite())
         };
         if !links.iter().all(finite) {
-            return Err(Error::model("arm", "a link has an entry that is not finite"));
+            return Err(Error::model(
+                "arm",
+                "a link has an entry that is not finite",
+            ));
         }
         let rise = links[0].translation.vector.z;
         let mut poses: [Pose; 5] = std::array::from_fn(|i| links[i]);
         poses[0].translation.vector.z = 0.0;
-        let total: f64 = poses.iter().map(|pose| pose.translation.vector.norm()).sum();
+        let total: f64 = poses
+            .iter()
+            .map(|pose| pose.translation.vector.norm())
+            .sum();
         if total.is_nan() || total <= 0.0 {
             let text = "all six axes meet in a point: it cannot move the tool's point";
             return Err(Error::model("arm", text));

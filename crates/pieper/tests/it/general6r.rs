@@ -25,7 +25,9 @@ fn numbers(line: &str, key: &str) -> Vec<f64> {
 fn every(line: &str, key: &str) -> Vec<f64> {
     let pattern = format!("\"{key}\":");
     let places = line.match_indices(&pattern);
-    places.flat_map(|(at, _)| numbers(&line[at..], key)).collect()
+    places
+        .flat_map(|(at, _)| numbers(&line[at..], key))
+        .collect()
 }
 
 struct Robot {
@@ -40,7 +42,10 @@ impl Robot {
         let [d, a, alpha] = ["d", "a", "alpha"].map(|key| every(line, key));
         let links = std::array::from_fn(|i| {
             spatial::shift(Vector3::new(a[i], 0.0, d[i]))
-                * spatial::turn(&Vector3::x_axis(), spatial::sin_cos_exact(spatial::snap(alpha[i])))
+                * spatial::turn(
+                    &Vector3::x_axis(),
+                    spatial::sin_cos_exact(spatial::snap(alpha[i])),
+                )
         });
         Self {
             links,
@@ -67,9 +72,12 @@ fn pose(numbers: &[f64]) -> Pose {
 }
 
 fn forward(links: &[Pose; 6], q: &[f64; 6]) -> Pose {
-    links.iter().zip(q).fold(Pose::identity(), |pose, (link, &q)| {
-        pose * spatial::turn(&Vector3::z_axis(), q.sin_cos()) * link
-    })
+    links
+        .iter()
+        .zip(q)
+        .fold(Pose::identity(), |pose, (link, &q)| {
+            pose * spatial::turn(&Vector3::z_axis(), q.sin_cos()) * link
+        })
 }
 
 fn file(name: &str) -> String {
@@ -78,14 +86,21 @@ fn file(name: &str) -> String {
 }
 
 fn name(line: &str) -> &str {
-    let key = if line.contains("\"kind\": \"robot\"") { "\"name\": \"" } else { "\"robot\": \"" };
+    let key = if line.contains("\"kind\": \"robot\"") {
+        "\"name\": \""
+    } else {
+        "\"robot\": \""
+    };
     let start = line.find(key).unwrap() + key.len();
     &line[start..start + line[start..].find('"').unwrap()]
 }
 
 #[test]
 fn solving_allocates_nothing() {
-    for line in file("ik").lines().filter(|line| line.contains("\"kind\": \"robot\"")) {
+    for line in file("ik")
+        .lines()
+        .filter(|line| line.contains("\"kind\": \"robot\""))
+    {
         if !line.contains("\"P\"") && every(line, "d").len() == 6 {
             let robot = Robot::parse(line);
             let target = forward(&robot.links, &[0.3, -0.8, 1.1, 2.0, -1.0, 0.4]);
@@ -101,10 +116,21 @@ fn solving_allocates_nothing() {
 
 #[test]
 fn finds_exactly_the_listed_solutions() {
-    let robots = ["ar3", "irb140", "ur10", "ar3_e10", "crx20ia", "general_a", "general_b"];
+    let robots = [
+        "ar3",
+        "irb140",
+        "ur10",
+        "ar3_e10",
+        "crx20ia",
+        "general_a",
+        "general_b",
+    ];
     let mut robot = None;
     let mut targets = 0;
-    for line in file("ik").lines().filter(|line| robots.contains(&name(line))) {
+    for line in file("ik")
+        .lines()
+        .filter(|line| robots.contains(&name(line)))
+    {
         if line.contains("\"kind\": \"robot\"") {
             robot = Some(Robot::parse(line));
             continue;
@@ -115,11 +141,18 @@ fn finds_exactly_the_listed_solutions() {
         let completeness = robot.general.solve(&pose(&numbers(line, "T")), &mut roots);
         for (solution, sigma) in solutions.chunks(6).zip(&sigma) {
             let allowed = (1e-13 / sigma).max(1e-9);
-            let found = roots.iter().filter(|root| robot.distance(root, solution) < allowed).count();
+            let found = roots
+                .iter()
+                .filter(|root| robot.distance(root, solution) < allowed)
+                .count();
             assert_eq!(found, 1, "{}: {solution:?} {completeness:?}", name(line));
         }
         assert_eq!(roots.len(), sigma.len(), "{}", name(line));
-        assert!(matches!(completeness, Completeness::Agreed { .. }), "{}", name(line));
+        assert!(
+            matches!(completeness, Completeness::Agreed { .. }),
+            "{}",
+            name(line)
+        );
         targets += 1;
     }
     assert_eq!(targets, 48);
@@ -140,18 +173,31 @@ fn special_poses() {
         let completeness = robot.general.solve(&target, &mut roots);
         let label = &line[..line.find("\"T\"").unwrap_or(80)];
         for root in roots.iter() {
-            let off = (forward(&robot.links, &root.q).to_homogeneous() - target.to_homogeneous()).amax();
+            let off =
+                (forward(&robot.links, &root.q).to_homogeneous() - target.to_homogeneous()).amax();
             assert!(off < 1e-9, "{label}: {off:e}");
         }
         if line.contains("\"expected\": \"unreachable\"") {
-            assert!(roots.is_empty(), "{label}: {completeness:?} {}", roots.len());
+            assert!(
+                roots.is_empty(),
+                "{label}: {completeness:?} {}",
+                roots.len()
+            );
         }
-        if line.contains("\"expected\": \"isolated\"") || line.contains("\"expected\": \"double_root\"") {
+        if line.contains("\"expected\": \"isolated\"")
+            || line.contains("\"expected\": \"double_root\"")
+        {
             let (listed, times) = (every(line, "q"), every(line, "multiplicity"));
             for (solution, &times) in listed.chunks(6).zip(&times) {
                 let allowed = if times > 1.0 { 1e-7 } else { 1e-9 };
-                let nearest = roots.iter().map(|root| robot.distance(root, solution)).fold(9.0, f64::min);
-                assert!(nearest < allowed, "{label}: {solution:?} x{times} {nearest:e} {completeness:?}");
+                let nearest = roots
+                    .iter()
+                    .map(|root| robot.distance(root, solution))
+                    .fold(9.0, f64::min);
+                assert!(
+                    nearest < allowed,
+                    "{label}: {solution:?} x{times} {nearest:e} {completeness:?}"
+                );
             }
         }
     }

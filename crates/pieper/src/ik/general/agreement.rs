@@ -54,7 +54,7 @@ pub(super) fn run<S: Simd>(
         let nothing_new = regular & !(pool.hit & known) == 0;
         agreed = if singular == 0 {
             let seen_twice = !merged && regular & !twice == 0 && quiet >= QUIET;
-            (nothing_new || seen_twice) && pool.count % 2 == 0
+            (nothing_new || seen_twice) && pool.count.is_multiple_of(2)
         } else {
             nothing_new && run >= least + EXTRA_SINGULAR
         };
@@ -70,7 +70,7 @@ pub(super) fn run<S: Simd>(
     let singular = pool.mask(&sigma, |s| s < TOLERANCES.doubles) != 0;
     write(general, &pool, &sigma, out);
     let eliminations = run as u8;
-    let whole = pool.count <= MAX_ROOTS && pool.count % 2 == 0;
+    let whole = pool.count <= MAX_ROOTS && pool.count.is_multiple_of(2);
     if singular {
         Completeness::Singular { eliminations }
     } else if whole && agreed {
@@ -81,10 +81,10 @@ pub(super) fn run<S: Simd>(
 }
 
 /// Where eliminations differ: so many in a row that add nothing agree, too, if every root was found twice by then.
-const QUIET: usize = 2;
+const QUIET: usize = 3;
 
 /// Eliminations more than usual where a root is singular: its number says nothing there.
-const EXTRA_SINGULAR: usize = 1;
+const EXTRA_SINGULAR: usize = 2;
 
 /// Joint angles of the true arm.
 fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Roots) {

@@ -24,7 +24,10 @@ pub(super) fn complete<S: Simd>(simd: S, links: &Links, [c, d, e]: [Turn<S>; 3])
         axis = link.rotate(&turn.about_z(axis));
         side = link.rotate(&turn.about_z(side));
     }
-    let (y_point, y_axis) = (constant(simd, links[5].shift), constant(simd, links[5].column(2)));
+    let (y_point, y_axis) = (
+        constant(simd, links[5].shift),
+        constant(simd, links[5].column(2)),
+    );
     let b = second(simd, &links[0], (&point, &axis), (&y_point, &y_axis));
     let point = links[0].carry(&b.about_z(point));
     let axis = links[0].rotate(&b.about_z(axis));

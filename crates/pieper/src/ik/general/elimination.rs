@@ -95,7 +95,10 @@ impl Linear {
                 _ => line::act(&motion, from),
             };
         }
-        for (row, out) in moved[..self.rows.len()].iter().zip(product.chunks_exact_mut(self.width)) {
+        for (row, out) in moved[..self.rows.len()]
+            .iter()
+            .zip(product.chunks_exact_mut(self.width))
+        {
             for register in 0..self.width / S::F64_LANES {
                 let mut sum = Lane::splat(simd, 0.0);
                 for (j, &factor) in row.iter().enumerate() {
@@ -127,7 +130,11 @@ impl Linear {
 
 /// Where the entries lie: rows of S count the factors right of the target, lanes of T those left of it; for slot B
 /// the other way round.
-fn places_of(slot: Slot, width: usize, swapped: bool) -> Box<[[[u8; BLOCK]; HARMONICS]; HARMONICS]> {
+fn places_of(
+    slot: Slot,
+    width: usize,
+    swapped: bool,
+) -> Box<[[[u8; BLOCK]; HARMONICS]; HARMONICS]> {
     let place = |h: usize, i: usize, d: usize, e: usize| {
         let (row, lane) = match slot {
             Slot::B => (i, 9 * h + 3 * d + e),
@@ -142,7 +149,11 @@ fn places_of(slot: Slot, width: usize, swapped: bool) -> Box<[[[u8; BLOCK]; HARM
         for outer in 0..HARMONICS {
             for k in 0..HARMONICS * ROWS {
                 let (inner, i) = (k / ROWS, k % ROWS);
-                let (d, e) = if swapped { (inner, outer) } else { (outer, inner) };
+                let (d, e) = if swapped {
+                    (inner, outer)
+                } else {
+                    (outer, inner)
+                };
                 places[h][outer][k] = place(h, i, d, e);
             }
         }
@@ -181,7 +192,11 @@ fn null_space(of: &[Pose; 6], slot: Slot, random: &mut Random) -> (Vec<Line>, [f
         .iter()
         .map(|&k| std::array::from_fn(|i| if i < 14 { u[(i, k)] } else { 0.0 }))
         .collect();
-    let nulls = if free.len() == ROWS { free } else { mixed(&free, random) };
+    let nulls = if free.len() == ROWS {
+        free
+    } else {
+        mixed(&free, random)
+    };
     let constant = std::array::from_fn(|i| {
         let (null, q0) = (&nulls[i], &terms[0]);
         (0..14).map(|j| null[j] * q0[j]).sum()

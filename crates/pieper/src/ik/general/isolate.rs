@@ -51,7 +51,11 @@ impl Candidates {
         self.arc[k] = arc as u8;
         (self.low[k], self.high[k], self.sign[k]) = (low, high, at_low.signum());
         let share = at_low / (at_low - at_high);
-        let share = if share.is_finite() { share.clamp(0.05, 0.95) } else { 0.5 };
+        let share = if share.is_finite() {
+            share.clamp(0.05, 0.95)
+        } else {
+            0.5
+        };
         self.start[k] = share.mul_add(high - low, low);
     }
 
@@ -107,7 +111,12 @@ fn bernstein<S: Simd>(
 
 /// Isolates the real roots.
 #[inline(always)]
-pub(super) fn isolate<S: Simd>(simd: S, tables: &Tables, polynomial: &Trigonometric, out: &mut Candidates) {
+pub(super) fn isolate<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    polynomial: &Trigonometric,
+    out: &mut Candidates,
+) {
     let mut coefficients = [[0.0; ARCS]; BERNSTEIN];
     let mut changes = [0.0; ARCS];
     bernstein(simd, tables, polynomial, &mut coefficients, &mut changes);
@@ -120,7 +129,12 @@ pub(super) fn isolate<S: Simd>(simd: S, tables: &Tables, polynomial: &Trigonomet
             out.push(arc, (-HALF, HALF), ends);
         } else {
             let list = std::array::from_fn(|i| coefficients[i][arc]);
-            Arc { tables, polynomial, index: arc }.subdivide(list, out);
+            Arc {
+                tables,
+                polynomial,
+                index: arc,
+            }
+            .subdivide(list, out);
         }
     }
 }
@@ -146,7 +160,11 @@ const DEPTH: usize = 12;
 impl Arc<'_> {
     /// Halves until every part has at most one sign change, or is decided otherwise.
     fn subdivide(&self, list: [f64; BERNSTEIN], out: &mut Candidates) {
-        let whole = Piece { low: -HALF, high: HALF, list };
+        let whole = Piece {
+            low: -HALF,
+            high: HALF,
+            list,
+        };
         let mut stack = [whole; DEPTH + 1];
         let (mut depth, mut proposed) = (1, false);
         while depth > 0 {
@@ -210,7 +228,10 @@ impl Arc<'_> {
     /// The polynomial and its first two derivatives at an offset from the middle.
     fn values(&self, offset: f64) -> [f64; 3] {
         let (sin, cos) = offset.sin_cos();
-        let (c0, s0) = (self.tables.arc_cos[0][self.index], self.tables.arc_sin[0][self.index]);
+        let (c0, s0) = (
+            self.tables.arc_cos[0][self.index],
+            self.tables.arc_sin[0][self.index],
+        );
         let (c, s) = (c0 * cos - s0 * sin, s0 * cos + c0 * sin);
         let (mut ck, mut sk) = (1.0, 0.0);
         let mut out = [self.polynomial[0], 0.0, 0.0];
@@ -249,7 +270,9 @@ impl Piece {
 }
 
 fn sign_changes(list: &[f64; BERNSTEIN]) -> usize {
-    list.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
+    list.windows(2)
+        .filter(|pair| pair[0] * pair[1] < 0.0)
+        .count()
 }
 
 #[cfg(test)]
@@ -276,12 +299,20 @@ mod tests {
             let mut found = Candidates::new();
             pulp::Arch::new().dispatch(Isolate(&tables, &polynomial, &mut found));
             let value = |k: usize| {
-                let arc = Arc { tables: &tables, polynomial: &polynomial, index: k / 256 };
+                let arc = Arc {
+                    tables: &tables,
+                    polynomial: &polynomial,
+                    index: k / 256,
+                };
                 arc.values(((k % 256) as f64 / 128.0 - 1.0) * HALF)[0]
             };
             let total = ARCS * 256;
-            let changes = (0..total).filter(|&k| value(k) * value((k + 1) % total) < 0.0).count();
-            let brackets = (0..found.count).filter(|&k| found.low[k] < found.high[k]).count();
+            let changes = (0..total)
+                .filter(|&k| value(k) * value((k + 1) % total) < 0.0)
+                .count();
+            let brackets = (0..found.count)
+                .filter(|&k| found.low[k] < found.high[k])
+                .count();
             assert_eq!(brackets, changes);
         }
     }

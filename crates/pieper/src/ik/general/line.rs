@@ -130,7 +130,10 @@ mod tests {
     fn motions_act_linearly() {
         let pose = from_xyz_rpy([0.3, -0.7, 1.1], [0.4, -1.0, 2.0]);
         let (p, l) = (Vector3::new(0.2, 0.5, -0.4), Vector3::new(0.6, 0.0, 0.8));
-        let moved = of(pose.rotation * p + pose.translation.vector, pose.rotation * l);
+        let moved = of(
+            pose.rotation * p + pose.translation.vector,
+            pose.rotation * l,
+        );
         let acted = act(&motion(&Rigid::of(&pose)), &of(p, l));
         for (a, b) in moved.iter().zip(&acted) {
             assert!((a - b).abs() < 1e-14);
@@ -143,7 +146,9 @@ mod tests {
         let line = of(Vector3::new(0.2, 0.5, -0.4), Vector3::new(0.6, 0.0, 0.8));
         let d = motion(&Rigid::of(&turn));
         let sum = |parts: [Line; 3]| -> Line {
-            std::array::from_fn(|i| parts[0][i] + 0.7_f64.cos() * parts[1][i] + 0.7_f64.sin() * parts[2][i])
+            std::array::from_fn(|i| {
+                parts[0][i] + 0.7_f64.cos() * parts[1][i] + 0.7_f64.sin() * parts[2][i]
+            })
         };
         let pairs = [
             (act(&d, &line), sum(harmonics(&line))),

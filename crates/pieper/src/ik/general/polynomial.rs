@@ -8,14 +8,12 @@ use super::resultant::{self, Form};
 use super::tables::{COEFFICIENTS, SAMPLES, Tables, Trigonometric};
 use super::tolerances::TOLERANCES;
 
-/// The polynomial, scaled to a largest coefficient of 1, and how good its worst sample is.
+/// The polynomial, scaled to a largest coefficient of 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sampled {
     pub(super) polynomial: Trigonometric,
     /// The factor between det S and the polynomial.
     pub(super) scale: f64,
-    /// The smallest pivot ratio among the samples.
-    pub(super) ratio: f64,
 }
 
 /// Samples det S around the circle. Where the chosen shift is bad, the others are tried and the best one is taken for
@@ -29,7 +27,14 @@ pub(super) fn sample<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form
             break;
         }
         let shift = (form.shift + more) % resultant::SHIFTS.len();
-        (worst, best) = sample_shift(simd, tables, matrix, Form { shift, ..form }, &mut values, &mut ratios);
+        (worst, best) = sample_shift(
+            simd,
+            tables,
+            matrix,
+            Form { shift, ..form },
+            &mut values,
+            &mut ratios,
+        );
     }
     let mut polynomial: Trigonometric = [0.0; COEFFICIENTS];
     for (coefficient, weights) in polynomial.iter_mut().zip(&tables.transform) {
@@ -45,7 +50,6 @@ pub(super) fn sample<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form
     Sampled {
         polynomial: polynomial.map(|x| x * scale),
         scale,
-        ratio: worst,
     }
 }
 
@@ -80,7 +84,12 @@ fn sample_shift<S: Simd>(
 
 /// The smallest pivot ratio of one form alone.
 #[inline(always)]
-pub(super) fn worst_ratio<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form: Form) -> f64 {
+pub(super) fn worst_ratio<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    matrix: &Harmonics,
+    form: Form,
+) -> f64 {
     let (mut values, mut ratios) = ([0.0; SAMPLES], [0.0; SAMPLES]);
     sample_shift(simd, tables, matrix, form, &mut values, &mut ratios).0
 }

@@ -45,7 +45,9 @@ impl Pool {
     /// The solutions whose smallest singular value is as `wanted`, one bit each.
     pub(super) fn mask(&self, sigma: &[f64; CAPACITY], wanted: impl Fn(f64) -> bool) -> u64 {
         let bits = sigma[..self.count].iter().enumerate();
-        bits.fold(0, |mask, (index, &s)| mask | (u64::from(wanted(s)) << index))
+        bits.fold(0, |mask, (index, &s)| {
+            mask | (u64::from(wanted(s)) << index)
+        })
     }
 
     /// Merges copies of singular solutions: rounding of the pose moves their joints by its size over sigma. True if there
@@ -56,8 +58,10 @@ impl Pool {
         while index < self.count {
             let copy = (0..index).find(|&kept| {
                 let s = sigma[kept].max(sigma[index]);
-                let allowed = (TOLERANCES.scatter / s).clamp(TOLERANCES.same, TOLERANCES.most_scatter);
-                s < TOLERANCES.singular && distance(&self.points[kept], &self.points[index]) < allowed
+                let allowed =
+                    (TOLERANCES.scatter / s).clamp(TOLERANCES.same, TOLERANCES.most_scatter);
+                s < TOLERANCES.singular
+                    && distance(&self.points[kept], &self.points[index]) < allowed
             });
             let Some(kept) = copy else {
                 index += 1;

@@ -14,7 +14,10 @@ const MARGIN: f64 = 1e-9;
 impl Reach {
     /// By the triangle inequality over the links between axis 1 and axis 6.
     pub(super) fn new(links: &[Pose; 5]) -> Self {
-        let total: f64 = links.iter().map(|link| link.translation.vector.norm()).sum();
+        let total: f64 = links
+            .iter()
+            .map(|link| link.translation.vector.norm())
+            .sum();
         Self {
             farthest: total * (1.0 + MARGIN),
         }

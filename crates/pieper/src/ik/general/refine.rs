@@ -76,7 +76,10 @@ fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
     let mut sin = square.mul_add(offset.constant(-1.0 / 5040.0), offset.constant(1.0 / 120.0));
     sin = square.mul_add(sin, offset.constant(-1.0 / 6.0));
     sin = (square * offset).mul_add(sin, offset);
-    let mut cos = square.mul_add(offset.constant(1.0 / 40320.0), offset.constant(-1.0 / 720.0));
+    let mut cos = square.mul_add(
+        offset.constant(1.0 / 40320.0),
+        offset.constant(-1.0 / 720.0),
+    );
     cos = square.mul_add(cos, offset.constant(1.0 / 24.0));
     cos = square.mul_add(cos, offset.constant(-0.5));
     cos = square.mul_add(cos, offset.constant(1.0));

@@ -73,7 +73,8 @@ pub(super) fn paired(pool: &Pool, sigma: &[f64; CAPACITY]) -> bool {
     let list = &sigma[..pool.count];
     list.iter().enumerate().all(|(index, &s)| {
         let alike = |(other, &t): (usize, &f64)| other != index && t < 2.0 * s && s < 2.0 * t;
-        s > TOLERANCES.singular || s < TOLERANCES.doubles || list.iter().enumerate().any(alike)
+        let close = (TOLERANCES.doubles..=TOLERANCES.singular).contains(&s);
+        !close || list.iter().enumerate().any(alike)
     })
 }
 

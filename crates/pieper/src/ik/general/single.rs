@@ -51,20 +51,45 @@ impl Elimination {
 
     #[inline(always)]
     fn link<'a>(&self, target: &'a Target) -> &'a Pose {
-        if self.case.inverted { &target.pose } else { &target.inverse }
+        if self.case.inverted {
+            &target.pose
+        } else {
+            &target.inverse
+        }
     }
 
-    /// Finds roots and adds them to the pool. Returns how well conditioned the samples were.
+    /// Finds roots and adds them to the pool.
     #[inline(always)]
-    pub(super) fn run<S: Simd>(&self, simd: S, tables: &Tables, goal: &Goal<'_>, target: &Target, pool: &mut Pool) -> f64 {
-        let matrix = simd.vectorize(Build { elimination: self, target });
-        let sampled = simd.vectorize(Sample { tables, matrix: &matrix, form: self.form });
+    pub(super) fn run<S: Simd>(
+        &self,
+        simd: S,
+        tables: &Tables,
+        goal: &Goal<'_>,
+        target: &Target,
+        pool: &mut Pool,
+    ) {
+        let matrix = simd.vectorize(Build {
+            elimination: self,
+            target,
+        });
+        let sampled = simd.vectorize(Sample {
+            tables,
+            matrix: &matrix,
+            form: self.form,
+        });
         let mut candidates = Candidates::new();
-        simd.vectorize(Isolate { tables, polynomial: &sampled.polynomial, out: &mut candidates });
+        simd.vectorize(Isolate {
+            tables,
+            polynomial: &sampled.polynomial,
+            out: &mut candidates,
+        });
         pool.unsure |= candidates.unsure;
         let mut links = self.links;
         links[self.case.place()] = Rigid::of(self.link(target));
-        let blocks = simd.vectorize(Blocks { matrix: &matrix, form: self.form });
+        let blocks = simd.vectorize(Blocks {
+            matrix: &matrix,
+            form: self.form,
+        });
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
             simd.vectorize(Finish {
                 elimination: self,
@@ -78,13 +103,19 @@ impl Elimination {
                 pool,
             });
         }
-        sampled.ratio
     }
 
     /// Samples one target: the pivot ratio with this form alone.
     pub(super) fn conditioning<S: Simd>(&self, simd: S, tables: &Tables, target: &Target) -> f64 {
-        let matrix = simd.vectorize(Build { elimination: self, target });
-        simd.vectorize(Condition { tables, matrix: &matrix, form: self.form })
+        let matrix = simd.vectorize(Build {
+            elimination: self,
+            target,
+        });
+        simd.vectorize(Condition {
+            tables,
+            matrix: &matrix,
+            form: self.form,
+        })
     }
 }
 
@@ -178,7 +209,13 @@ impl WithSimd for Finish<'_, '_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let polynomial = &self.sampled.polynomial;
-        let polished = polish(simd, self.tables, polynomial, self.candidates, self.register);
+        let polished = polish(
+            simd,
+            self.tables,
+            polynomial,
+            self.candidates,
+            self.register,
+        );
         let mut c = polished.turn;
         let zero = Lane::splat(simd, 0.0);
         let scale = Lane::splat(simd, self.sampled.scale);
@@ -194,10 +231,15 @@ impl WithSimd for Finish<'_, '_> {
         let mut q: Angles<S> = loop_angles;
         let joints = self.elimination.case.joints();
         for (angle, joint) in loop_angles.into_iter().zip(joints) {
-            q[joint] = if self.elimination.case.inverted { angle.reversed() } else { angle };
+            q[joint] = if self.elimination.case.inverted {
+                angle.reversed()
+            } else {
+                angle
+            };
         }
         let errors = newton(simd, self.goal, &mut q);
         let used = self.candidates.count - self.register * S::F64_LANES;
-        self.pool.add(&q, errors, used.min(S::F64_LANES), TOLERANCES.closes);
+        self.pool
+            .add(&q, errors, used.min(S::F64_LANES), TOLERANCES.closes);
     }
 }

@@ -51,7 +51,9 @@ impl Tables {
             })
         });
         let arcs = |function: fn(f64) -> f64| {
-            std::array::from_fn(|k| std::array::from_fn(|arc| function((k + 1) as f64 * middle(arc))))
+            std::array::from_fn(|k| {
+                std::array::from_fn(|arc| function((k + 1) as f64 * middle(arc)))
+            })
         };
         let powers: Vec<[f64; BERNSTEIN]> = (0..BERNSTEIN).map(bernstein_of_power).collect();
         let series = |parity: usize| {

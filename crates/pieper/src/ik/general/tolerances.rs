@@ -56,7 +56,7 @@ pub(super) const TOLERANCES: Tolerances = Tolerances {
     closes_well: 1e-12,
     same: 1e-7,
     scatter: 1e-14,
-    most_scatter: 1e-5,
+    most_scatter: 1e-6,
     doubles: 1e-7,
     singular: 2e-3,
 };

@@ -34,7 +34,7 @@ pub(super) struct Trial<'a> {
     pub(super) tables: &'a Tables,
 }
 
-/// What an elimination found: bit p*? of each pose's union.
+/// An elimination and what it found.
 struct Score {
     elimination: Elimination,
     /// For each pose the members of the union found.
@@ -53,7 +53,9 @@ impl WithSimd for Trial<'_> {
         for delta in DELTAS {
             for case in CASES {
                 let elimination = self.build(simd, case, delta, &targets, &mut random);
-                let found = std::array::from_fn(|p| self.found(simd, &elimination, &targets[p], &mut pools[p]));
+                let found = std::array::from_fn(|p| {
+                    self.found(simd, &elimination, &targets[p], &mut pools[p])
+                });
                 scores.push(Score { elimination, found });
             }
         }
@@ -112,8 +114,13 @@ impl Trial<'_> {
         targets: &[Target],
         random: &mut Random,
     ) -> Elimination {
-        let loop_links: [Pose; 6] =
-            std::array::from_fn(|i| self.arm.poses.get(i).copied().unwrap_or_else(Pose::identity));
+        let loop_links: [Pose; 6] = std::array::from_fn(|i| {
+            self.arm
+                .poses
+                .get(i)
+                .copied()
+                .unwrap_or_else(Pose::identity)
+        });
         let of = case.links(&loop_links);
         let mut links = of.each_ref().map(Rigid::of);
         links[5] = Rigid::of(&of[5].inverse());
@@ -148,7 +155,13 @@ impl Trial<'_> {
 
     /// Which members of the pool an elimination finds, new ones included.
     #[inline(always)]
-    fn found<S: Simd>(&self, simd: S, elimination: &Elimination, target: &Target, pool: &mut Pool) -> u64 {
+    fn found<S: Simd>(
+        &self,
+        simd: S,
+        elimination: &Elimination,
+        target: &Target,
+        pool: &mut Pool,
+    ) -> u64 {
         pool.start();
         elimination.run(simd, self.tables, &self.goal(target), target, pool);
         pool.hit
@@ -163,17 +176,29 @@ const SINGULAR_ARM: f64 = 1e-9;
 const DELTA_COST: f64 = 0.002;
 
 /// Greedy: the first finds most, each further one most together with the ones before, with another kept joint preferred.
-fn order(mut scores: Vec<Score>, pools: &[Pool], large: Vec<Elimination>) -> (Vec<Elimination>, usize) {
+fn order(
+    mut scores: Vec<Score>,
+    pools: &[Pool],
+    large: Vec<Elimination>,
+) -> (Vec<Elimination>, usize) {
     let total: u32 = pools.iter().map(|pool| pool.count as u32).sum();
     let mut chosen: Vec<Score> = Vec::new();
     let mut union = [0_u64; POSES];
     while chosen.len() < 3 {
         let value = |score: &Score| {
-            let covered: u32 = (0..POSES).map(|p| (union[p] | score.found[p]).count_ones()).sum();
+            let covered: u32 = (0..POSES)
+                .map(|p| (union[p] | score.found[p]).count_ones())
+                .sum();
             let own: u32 = score.found.iter().map(|f| f.count_ones()).sum();
             let share = |count: u32| f64::from(count) / f64::from(total.max(1));
-            let repeated = chosen.iter().any(|c| c.elimination.case.kept == score.elimination.case.kept);
-            let cost = if score.elimination.delta > 0.0 { DELTA_COST } else { 0.0 };
+            let repeated = chosen
+                .iter()
+                .any(|c| c.elimination.case.kept == score.elimination.case.kept);
+            let cost = if score.elimination.delta > 0.0 {
+                DELTA_COST
+            } else {
+                0.0
+            };
             share(covered) + share(own) - cost - if repeated { 0.5 } else { 0.0 }
         };
         let mut best = 0;
@@ -188,7 +213,7 @@ fn order(mut scores: Vec<Score>, pools: &[Pool], large: Vec<Elimination>) -> (Ve
         }
         chosen.push(next);
     }
-    let least = least(&chosen, &scores, pools);
+    let least = least(&chosen, pools);
     let mut list: Vec<Elimination> = chosen.into_iter().map(|score| score.elimination).collect();
     list.extend(large);
     scores.sort_by_key(|score| {
@@ -199,11 +224,14 @@ fn order(mut scores: Vec<Score>, pools: &[Pool], large: Vec<Elimination>) -> (Ve
 }
 
 /// The smallest number of first eliminations, from 2 to 3, by which every root is found twice; 4 otherwise.
-fn least(chosen: &[Score], _rest: &[Score], pools: &[Pool]) -> usize {
+fn least(chosen: &[Score], pools: &[Pool]) -> usize {
     for count in 2..=chosen.len() {
         let twice = (0..POSES).all(|p| {
             (0..pools[p].count).all(|root| {
-                let times = chosen[..count].iter().filter(|c| (c.found[p] >> root) & 1 == 1).count();
+                let times = chosen[..count]
+                    .iter()
+                    .filter(|c| (c.found[p] >> root) & 1 == 1)
+                    .count();
                 times >= 2
             })
         });

@@ -202,3 +202,57 @@ fn special_poses() {
         }
     }
 }
+
+#[test]
+fn finds_the_generating_joints_of_random_arms() {
+    let mut random = fastrand::Rng::with_seed(7);
+    let signed = |random: &mut fastrand::Rng| 2.0 * random.f64() - 1.0;
+    for _ in 0..10 {
+        let links: [Pose; 6] = std::array::from_fn(|_| {
+            let shift = Vector3::new(signed(&mut random), 0.0, signed(&mut random));
+            let twist = (PI * signed(&mut random)).sin_cos();
+            spatial::shift(shift) * spatial::turn(&Vector3::x_axis(), twist)
+        });
+        let general = General::prepare(&links).unwrap();
+        let mut roots = Roots::default();
+        for _ in 0..20 {
+            let q: [f64; 6] = std::array::from_fn(|_| PI * signed(&mut random));
+            let completeness = general.solve(&forward(&links, &q), &mut roots);
+            let found = roots.iter().any(|root| {
+                let near =
+                    |(a, b): (&f64, &f64)| ((a - b).sin().abs() < 1e-7) && (a - b).cos() > 0.0;
+                root.q.iter().zip(&q).all(near)
+            });
+            assert!(found, "{q:?} {completeness:?}");
+        }
+    }
+}
+
+/// Nothing that can be handed in makes it panic or answer with something.
+#[test]
+fn bad_input() {
+    let links = [spatial::shift(Vector3::new(0.3, 0.0, 0.2)); 6];
+    assert!(General::prepare(&links).is_err(), "all axes are parallel");
+    assert!(
+        General::prepare(&[Pose::identity(); 6]).is_err(),
+        "no lengths at all"
+    );
+    let mut broken = links;
+    broken[2].translation.vector.x = f64::NAN;
+    assert!(General::prepare(&broken).is_err());
+    let quarter = spatial::turn(&Vector3::x_axis(), (0.6, 0.8));
+    let general = General::prepare(&links.map(|link| link * quarter)).unwrap();
+    let mut roots = Roots::default();
+    let mut target = forward(&links, &[0.1; 6]);
+    for bad in [f64::NAN, f64::INFINITY, 1e300] {
+        target.translation.vector.y = bad;
+        assert_eq!(general.solve(&target, &mut roots), Completeness::OutOfReach);
+        assert!(roots.is_empty());
+    }
+    let target = Pose::from_parts(
+        Vector3::new(0.1, 0.2, 0.3).into(),
+        Rotation3::from_matrix_unchecked(Matrix3::repeat(f64::NAN)),
+    );
+    general.solve(&target, &mut roots);
+    assert!(roots.is_empty());
+}

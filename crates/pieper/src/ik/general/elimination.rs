@@ -177,8 +177,9 @@ fn null_space(of: &[Pose; 6], slot: Slot, random: &mut Random) -> (Vec<Line>, [f
         terms = terms.iter().map(|term| line::act(&lb, term)).collect();
     }
     let q = SMatrix::<f64, 14, 14>::from_fn(|i, j| if j < 8 { terms[j + 1][i] } else { 0.0 });
-    let svd = q.svd(true, false);
-    let Some(u) = svd.u else {
+    // Without convergence the elimination finds nothing, and the trial passes it over.
+    let decomposed = q.try_svd(true, false, f64::EPSILON, SVD_STEPS);
+    let Some((svd, u)) = decomposed.and_then(|svd| svd.u.map(|u| (svd, u))) else {
         return (vec![[0.0; SIZE]; ROWS], [0.0; ROWS]);
     };
     let mut order: Vec<usize> = (0..14).collect();
@@ -203,6 +204,9 @@ fn null_space(of: &[Pose; 6], slot: Slot, random: &mut Random) -> (Vec<Line>, [f
     });
     (nulls, constant)
 }
+
+/// Far more steps than a matrix of this size takes.
+const SVD_STEPS: usize = 1000;
 
 /// A singular value of the linear part below this, relative, is rounding: the arm's own are zero or of the order of the
 /// perturbation, at least 1e-7.

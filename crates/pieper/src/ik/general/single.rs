@@ -202,7 +202,7 @@ struct Finish<'a, 'b> {
 }
 
 /// Newton steps on the determinant itself, with the polynomial's slope.
-const DIRECT: usize = 2;
+const DIRECT: usize = 1;
 
 impl WithSimd for Finish<'_, '_> {
     type Output = ();

@@ -24,6 +24,8 @@ pub mod classify;
 mod curve;
 mod dense;
 mod descent;
+mod elimination;
+pub mod general;
 mod limits;
 mod nearest;
 mod normal;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
-use super::{numeric, parallel, planar, spherical, swivel};
+use super::{elimination, numeric, parallel, planar, spherical, swivel};
 use crate::spatial::Pose;
 
 /// A solver prepared for one arm.
@@ -69,6 +69,11 @@ pub const ROWS: &[Row] = &[
         name: "planar",
         summary: "all axes parallel (SCARA, planar arms): a triangle, an angle and a height",
         prepare: planar::prepare,
+    },
+    Row {
+        name: "general",
+        summary: "six axes in any position: elimination to one angle, all real solutions up to sixteen",
+        prepare: elimination::prepare,
     },
     Row {
         name: "numeric",

@@ -8,6 +8,7 @@ mod bad_robot_files;
 mod batches;
 mod derivatives;
 mod descriptions;
+mod general6r;
 mod golden;
 mod hot_calls;
 mod ik;

@@ -1,0 +1,253 @@
+//! Any six revolute joints: all real solutions, up to 16, by elimination. A pure numeric kernel.
+//!
+//! `Rz(q1) L1 Rz(q2) L2 ... Rz(q6) L6 = T` with arbitrary constant links. The closed loop is reduced to one
+//! trigonometric polynomial of degree 8 in one joint angle (`cycle`, `elimination`, `resultant`,
+//! `polynomial`), whose real roots are isolated (`isolate`, `refine`), completed to six angles (`back`) and
+//! improved by Newton's method on the true arm (`newton`). Every step runs on several samples or roots at once.
+//! A single elimination loses about one root in a thousand to rounding, in clusters of roots; two with different
+//! kept joints are run, and more until they agree (`agreement`). Structured arms (parallel or meeting axes) make the
+//! resultant vanish identically; their linear part is perturbed, the arm itself is not (`random`). Which
+//! eliminations are used, and in which order, is decided per arm by solving test poses (`trial`).
+//!
+//! Sources: M. Raghavan, B. Roth, J. Mech. Design 115, 1993 (the equations and the 12 x 12 resultant); D. Manocha,
+//! J. Canny, IEEE Trans. Robotics and Automation 10(5), 1994 (numeric elimination). The reduction to 3 x 3, the root
+//! isolation, the perturbation of the elimination alone and the agreement rule were worked out and measured for this
+//! project.
+
+mod agreement;
+mod back;
+mod cycle;
+mod elimination;
+mod isolate;
+mod lanes;
+mod line;
+mod newton;
+mod polynomial;
+mod pool;
+mod random;
+mod reach;
+mod refine;
+mod resultant;
+mod siblings;
+mod single;
+mod tables;
+mod tolerances;
+mod trial;
+
+use pulp::{Arch, Simd, WithSimd};
+
+use crate::error::{Error, Result};
+use crate::spatial::{self, Pose};
+use lanes::Rigid;
+use nalgebra::Vector3;
+use newton::Goal;
+use single::{Elimination, Target};
+use tables::Tables;
+
+pub use pool::MAX_ROOTS;
+
+/// A solver prepared for one arm with six revolute joints.
+#[derive(Clone, Debug)]
+pub struct General {
+    arm: Scaled,
+    tables: Box<Tables>,
+    /// In the order in which they are run.
+    eliminations: Vec<Elimination>,
+    /// How many are run at least.
+    least: usize,
+}
+
+/// The arm as the eliminations see it: lengths scaled to add up to 3, no shift along the first and last axis.
+#[derive(Clone, Debug)]
+struct Scaled {
+    links: [Rigid; 5],
+    poses: [Pose; 5],
+    /// Shift along the first axis, metres.
+    rise: f64,
+    /// From the last link to the last axis.
+    last: Pose,
+    /// Scaled lengths per metre.
+    scale: f64,
+    /// The farthest that the last axis' point can be from the first axis' point, scaled.
+    reach: reach::Reach,
+}
+
+/// One solution.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Root {
+    /// Joint angles, in (-pi, pi].
+    pub q: [f64; 6],
+    /// Error of the pose after Newton: metres and radians, as one norm.
+    pub residual: f64,
+    /// Smallest singular value of the Jacobian, lengths scaled so that the arm's links add up to 3: small near
+    /// singularities, zero on families and at double roots.
+    pub sigma: f64,
+}
+
+/// All solutions of one target.
+#[derive(Clone, Debug)]
+pub struct Roots {
+    list: [Root; MAX_ROOTS],
+    count: usize,
+}
+
+impl Default for Roots {
+    fn default() -> Self {
+        let list = [Root::default(); MAX_ROOTS];
+        Self { list, count: 0 }
+    }
+}
+
+impl std::ops::Deref for Roots {
+    type Target = [Root];
+    fn deref(&self) -> &[Root] {
+        &self.list[..self.count]
+    }
+}
+
+/// How sure it is that all solutions were found, and how that was established.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Completeness {
+    /// So many eliminations were run, the last of them found exactly the set of the others (or the last three found nothing
+    /// new, and every root was found twice), an even number of regular roots. Not a proof; see the measured rates.
+    Agreed {
+        /// Eliminations run.
+        eliminations: u8,
+    },
+    /// The target is farther than the links together reach: there is none.
+    OutOfReach,
+    /// Some root is singular, where roots merge or form a family: isolated roots were found as usual, but how many there
+    /// are at the singularity itself is not decided here.
+    Singular {
+        /// Eliminations run.
+        eliminations: u8,
+    },
+    /// All eliminations were run without agreement; also for an odd number of roots.
+    Doubtful {
+        /// Eliminations run.
+        eliminations: u8,
+    },
+}
+
+impl General {
+    /// Prepares the solver for `Rz(q1) L1 ... Rz(q6) L6`, links in metres.
+    ///
+    /// # Errors
+    /// A model error for an arm that is singular everywhere, or whose links are not finite.
+    pub fn prepare(links: &[Pose; 6]) -> Result<Self> {
+        let arm = Scaled::new(links)?;
+        let tables = Box::new(Tables::new());
+        let (eliminations, least) = Arch::new().dispatch(trial::Trial {
+            arm: &arm,
+            tables: &tables,
+        })?;
+        Ok(Self {
+            arm,
+            tables,
+            eliminations,
+            least,
+        })
+    }
+
+    /// Finds all joint angles that put the last link at `target`. Allocates nothing.
+    pub fn solve(&self, target: &Pose, out: &mut Roots) -> Completeness {
+        out.count = 0;
+        let target = Target::new(self.arm.inner(target));
+        if self.arm.reach.excludes(&target.pose) {
+            return Completeness::OutOfReach;
+        }
+        Arch::new().dispatch(Solve {
+            general: self,
+            target,
+            out,
+        })
+    }
+}
+
+struct Solve<'a> {
+    general: &'a General,
+    target: Target,
+    out: &'a mut Roots,
+}
+
+impl WithSimd for Solve<'_> {
+    type Output = Completeness;
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Completeness {
+        let Self {
+            general,
+            target,
+            out,
+        } = self;
+        let goal = Goal {
+            links: &general.arm.links,
+            target: Rigid::of(&target.pose),
+        };
+        agreement::run(simd, general, &goal, &target, out)
+    }
+}
+
+/// The sum of the scaled link lengths.
+const TOTAL: f64 = 3.0;
+
+impl Scaled {
+    fn new(links: &[Pose; 6]) -> Result<Self> {
+        let finite = |pose: &Pose| {
+            let entries = pose.rotation.matrix().iter();
+            entries
+                .chain(pose.translation.vector.iter())
+                .all(|x| x.is_finite())
+        };
+        if !links.iter().all(finite) {
+            return Err(Error::model(
+                "arm",
+                "a link has an entry that is not finite",
+            ));
+        }
+        let rise = links[0].translation.vector.z;
+        let mut poses: [Pose; 5] = std::array::from_fn(|i| links[i]);
+        poses[0].translation.vector.z = 0.0;
+        let total: f64 = poses
+            .iter()
+            .map(|pose| pose.translation.vector.norm())
+            .sum();
+        if total.is_nan() || total <= 0.0 {
+            let text = "all six axes meet in a point: it cannot move the tool's point";
+            return Err(Error::model("arm", text));
+        }
+        let scale = TOTAL / total;
+        if !scale.is_finite() || scale <= 0.0 {
+            return Err(Error::model("arm", "its lengths are out of range"));
+        }
+        for pose in &mut poses {
+            pose.translation.vector *= scale;
+        }
+        Ok(Self {
+            links: poses.each_ref().map(Rigid::of),
+            reach: reach::Reach::new(&poses),
+            poses,
+            rise,
+            last: links[5].inverse(),
+            scale,
+        })
+    }
+
+    /// The target as the eliminations see it.
+    fn inner(&self, target: &Pose) -> Pose {
+        let mut inner = spatial::shift(Vector3::new(0.0, 0.0, -self.rise)) * target * self.last;
+        inner.translation.vector *= self.scale;
+        inner
+    }
+
+    /// Where the scaled arm puts its last axis.
+    fn forward(&self, q: &[f64; 6]) -> Pose {
+        let mut pose = Pose::identity();
+        for (index, angle) in q.iter().enumerate() {
+            pose *= spatial::turn(&Vector3::z_axis(), angle.sin_cos());
+            if let Some(link) = self.poses.get(index) {
+                pose *= link;
+            }
+        }
+        pose
+    }
+}

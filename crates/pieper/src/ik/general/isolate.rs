@@ -1,0 +1,319 @@
+//! Every real root of the trigonometric polynomial: Descartes' rule of signs in Bernstein form on 32 arcs.
+//!
+//! On an arc the number of sign changes of the Bernstein coefficients is the number of roots, or larger by an even
+//! number (Lane and Riesenfeld, BIT 21, 1981). None: no root. One: exactly one, between the ends. More: the arc is
+//! halved by de Casteljau's rule.
+
+use pulp::Simd;
+
+use super::lanes::Lane;
+use super::tables::{ARCS, BERNSTEIN, DEGREE, HALF, Tables, Trigonometric};
+use super::tolerances::TOLERANCES;
+
+/// Most candidates: 16 roots, or fewer with near-misses, two extra each.
+pub(super) const CANDIDATES: usize = 32;
+
+/// Intervals that hold one root each, and points that may be one: angle = middle of the arc + offset.
+#[derive(Clone, Debug)]
+pub(super) struct Candidates {
+    pub(super) count: usize,
+    /// Some of them are near-misses: points beside which there may be two roots or none.
+    pub(super) unsure: bool,
+    pub(super) arc: [u8; CANDIDATES],
+    /// Offsets from the arc's middle, radians; equal for a point.
+    pub(super) low: [f64; CANDIDATES],
+    pub(super) high: [f64; CANDIDATES],
+    /// Sign of the polynomial at `low`.
+    pub(super) sign: [f64; CANDIDATES],
+    /// Where to start.
+    pub(super) start: [f64; CANDIDATES],
+}
+
+impl Candidates {
+    pub(super) fn new() -> Self {
+        Self {
+            count: 0,
+            unsure: false,
+            arc: [0; CANDIDATES],
+            low: [0.0; CANDIDATES],
+            high: [0.0; CANDIDATES],
+            sign: [1.0; CANDIDATES],
+            start: [0.0; CANDIDATES],
+        }
+    }
+
+    fn push(&mut self, arc: usize, (low, high): (f64, f64), (at_low, at_high): (f64, f64)) {
+        if self.count == CANDIDATES {
+            return;
+        }
+        let k = self.count;
+        self.count += 1;
+        self.arc[k] = arc as u8;
+        (self.low[k], self.high[k], self.sign[k]) = (low, high, at_low.signum());
+        let share = at_low / (at_low - at_high);
+        let share = if share.is_finite() {
+            share.clamp(0.05, 0.95)
+        } else {
+            0.5
+        };
+        self.start[k] = share.mul_add(high - low, low);
+    }
+
+    fn push_point(&mut self, arc: usize, at: f64) {
+        self.unsure = true;
+        self.push(arc, (at, at), (1.0, -1.0));
+    }
+}
+
+/// The Bernstein coefficients of all arcs and the number of their sign changes.
+#[inline(always)]
+fn bernstein<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    polynomial: &Trigonometric,
+    out: &mut [[f64; ARCS]; BERNSTEIN],
+    changes: &mut [f64; ARCS],
+) {
+    let zero = Lane::splat(simd, 0.0);
+    let one = Lane::splat(simd, 1.0);
+    let constant = Lane::splat(simd, polynomial[0]);
+    for register in 0..ARCS / S::F64_LANES {
+        let (mut even, mut odd) = ([zero; DEGREE], [zero; DEGREE]);
+        for k in 0..DEGREE {
+            let a = Lane::splat(simd, polynomial[1 + k]);
+            let b = Lane::splat(simd, polynomial[1 + DEGREE + k]);
+            let cos = Lane::load(simd, &tables.arc_cos[k], register);
+            let sin = Lane::load(simd, &tables.arc_sin[k], register);
+            even[k] = a.mul_add(cos, b * sin);
+            odd[k] = a.subtract_product(sin, b * cos);
+        }
+        let mut list = [zero; BERNSTEIN];
+        for i in 0..BERNSTEIN / 2 {
+            let (mut symmetric, mut opposite) = (constant, zero);
+            for k in 0..DEGREE {
+                symmetric = even[k].mul_add(Lane::splat(simd, tables.even[i][k]), symmetric);
+                opposite = odd[k].mul_add(Lane::splat(simd, tables.odd[i][k]), opposite);
+            }
+            list[i] = symmetric + opposite;
+            list[BERNSTEIN - 1 - i] = symmetric - opposite;
+        }
+        let mut count = zero;
+        for i in 0..BERNSTEIN {
+            list[i].store(&mut out[i], register);
+            if i > 0 {
+                let change = (list[i - 1] * list[i]).less(zero);
+                count = count + change.pick(one, zero);
+            }
+        }
+        count.store(changes, register);
+    }
+}
+
+/// Isolates the real roots.
+#[inline(always)]
+pub(super) fn isolate<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    polynomial: &Trigonometric,
+    out: &mut Candidates,
+) {
+    let mut coefficients = [[0.0; ARCS]; BERNSTEIN];
+    let mut changes = [0.0; ARCS];
+    bernstein(simd, tables, polynomial, &mut coefficients, &mut changes);
+    for (arc, &changes) in changes.iter().enumerate() {
+        if changes == 0.0 {
+            continue;
+        }
+        if changes == 1.0 {
+            let ends = (coefficients[0][arc], coefficients[BERNSTEIN - 1][arc]);
+            out.push(arc, (-HALF, HALF), ends);
+        } else {
+            let list = std::array::from_fn(|i| coefficients[i][arc]);
+            Arc {
+                tables,
+                polynomial,
+                index: arc,
+            }
+            .subdivide(list, out);
+        }
+    }
+}
+
+/// One arc and the polynomial on it.
+struct Arc<'a> {
+    tables: &'a Tables,
+    polynomial: &'a Trigonometric,
+    index: usize,
+}
+
+/// A part of an arc: its ends and its Bernstein coefficients.
+#[derive(Clone, Copy)]
+struct Piece {
+    low: f64,
+    high: f64,
+    list: [f64; BERNSTEIN],
+}
+
+/// Halvings of an arc at most: down to the least width.
+const DEPTH: usize = 12;
+
+impl Arc<'_> {
+    /// Halves until every part has at most one sign change, or is decided otherwise.
+    fn subdivide(&self, list: [f64; BERNSTEIN], out: &mut Candidates) {
+        let whole = Piece {
+            low: -HALF,
+            high: HALF,
+            list,
+        };
+        let mut stack = [whole; DEPTH + 1];
+        let (mut depth, mut proposed) = (1, false);
+        while depth > 0 {
+            depth -= 1;
+            let piece = stack[depth];
+            let width = piece.high - piece.low;
+            match sign_changes(&piece.list) {
+                0 => {}
+                1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
+                2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
+                _ if width < TOLERANCES.least_width || depth + 2 > DEPTH => {
+                    out.push_point(self.index, 0.5 * (piece.low + piece.high));
+                }
+                _ => {
+                    let (left, right) = piece.halves();
+                    (stack[depth], stack[depth + 1]) = (right, left);
+                    depth += 2;
+                }
+            }
+        }
+    }
+
+    /// Two roots or none, with an extremum between: finds it by Newton's method. Either it is across zero from the ends
+    /// and parts two roots; or the roots are a complex pair, and if that is as close to real as noise can make it,
+    /// points around are proposed, once in an arc. True if the piece is decided: not if there is no extremum inside, or
+    /// if the piece is so long that there may be another.
+    fn pair(&self, piece: &Piece, proposed: &mut bool, out: &mut Candidates) -> bool {
+        let mut at = 0.5 * (piece.low + piece.high);
+        let margin = piece.high - piece.low;
+        let mut values = self.values(at);
+        for _ in 0..8 {
+            let step = values[1] / values[2];
+            if step.is_nan() || step.abs() > margin {
+                return false;
+            }
+            at -= step;
+            values = self.values(at);
+            if step.abs() < 1e-3 * TOLERANCES.least_width {
+                break;
+            }
+        }
+        if at <= piece.low || at >= piece.high {
+            return false;
+        }
+        let (at_low, at_high) = piece.ends();
+        if (values[0] < 0.0) != (at_low < 0.0) {
+            out.push(self.index, (piece.low, at), (at_low, values[0]));
+            out.push(self.index, (at, piece.high), (values[0], at_high));
+            return true;
+        }
+        let imaginary = (2.0 * values[0] / values[2]).abs().sqrt();
+        if imaginary < TOLERANCES.near_miss && !*proposed {
+            *proposed = true;
+            for offset in [0.0, imaginary, -imaginary] {
+                out.push_point(self.index, at + offset);
+            }
+        }
+        margin < TOLERANCES.short
+    }
+
+    /// The polynomial and its first two derivatives at an offset from the middle.
+    fn values(&self, offset: f64) -> [f64; 3] {
+        let (sin, cos) = offset.sin_cos();
+        let (c0, s0) = (
+            self.tables.arc_cos[0][self.index],
+            self.tables.arc_sin[0][self.index],
+        );
+        let (c, s) = (c0 * cos - s0 * sin, s0 * cos + c0 * sin);
+        let (mut ck, mut sk) = (1.0, 0.0);
+        let mut out = [self.polynomial[0], 0.0, 0.0];
+        for k in 1..=DEGREE {
+            (ck, sk) = (ck * c - sk * s, sk * c + ck * s);
+            let (a, b, rate) = (self.polynomial[k], self.polynomial[DEGREE + k], k as f64);
+            let (value, slope) = (a * ck + b * sk, b * ck - a * sk);
+            out[0] += value;
+            out[1] += rate * slope;
+            out[2] -= rate * rate * value;
+        }
+        out
+    }
+}
+
+impl Piece {
+    fn ends(&self) -> (f64, f64) {
+        (self.list[0], self.list[BERNSTEIN - 1])
+    }
+
+    /// De Casteljau's rule at the middle.
+    fn halves(&self) -> (Self, Self) {
+        let middle = 0.5 * (self.low + self.high);
+        let mut right = self.list;
+        let mut left = [0.0; BERNSTEIN];
+        left[0] = right[0];
+        for step in 1..BERNSTEIN {
+            for i in 0..BERNSTEIN - step {
+                right[i] = 0.5 * (right[i] + right[i + 1]);
+            }
+            left[step] = right[0];
+        }
+        let part = |low, high, list| Self { low, high, list };
+        (part(self.low, middle, left), part(middle, self.high, right))
+    }
+}
+
+fn sign_changes(list: &[f64; BERNSTEIN]) -> usize {
+    list.windows(2)
+        .filter(|pair| pair[0] * pair[1] < 0.0)
+        .count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::general::random::Random;
+
+    struct Isolate<'a>(&'a Tables, &'a Trigonometric, &'a mut Candidates);
+
+    impl pulp::WithSimd for Isolate<'_> {
+        type Output = ();
+        fn with_simd<S: Simd>(self, simd: S) {
+            isolate(simd, self.0, self.1, self.2);
+        }
+    }
+
+    /// As many candidates as sign changes on a fine grid, for random polynomials.
+    #[test]
+    fn finds_every_root_of_random_polynomials() {
+        let tables = Tables::new();
+        let mut random = Random::new(1);
+        for _ in 0..300 {
+            let polynomial: Trigonometric = std::array::from_fn(|_| random.signed());
+            let mut found = Candidates::new();
+            pulp::Arch::new().dispatch(Isolate(&tables, &polynomial, &mut found));
+            let value = |k: usize| {
+                let arc = Arc {
+                    tables: &tables,
+                    polynomial: &polynomial,
+                    index: k / 256,
+                };
+                arc.values(((k % 256) as f64 / 128.0 - 1.0) * HALF)[0]
+            };
+            let total = ARCS * 256;
+            let changes = (0..total)
+                .filter(|&k| value(k) * value((k + 1) % total) < 0.0)
+                .count();
+            let brackets = (0..found.count)
+                .filter(|&k| found.low[k] < found.high[k])
+                .count();
+            assert_eq!(brackets, changes);
+        }
+    }
+}

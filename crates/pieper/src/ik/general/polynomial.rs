@@ -1,0 +1,95 @@
+//! The resultant as a trigonometric polynomial in the angle c, from its values at 24 angles.
+
+use pulp::Simd;
+
+use super::elimination::Harmonics;
+use super::lanes::{Lane, Turn};
+use super::resultant::{self, Form};
+use super::tables::{COEFFICIENTS, SAMPLES, Tables, Trigonometric};
+use super::tolerances::TOLERANCES;
+
+/// The polynomial, scaled to a largest coefficient of 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sampled {
+    pub(super) polynomial: Trigonometric,
+    /// The factor between det S and the polynomial.
+    pub(super) scale: f64,
+}
+
+/// Samples det S around the circle. Where the chosen shift is bad, the others are tried and the best one is taken for
+/// each sample: bad samples would pollute all coefficients.
+#[inline(always)]
+pub(super) fn sample<S: Simd>(simd: S, tables: &Tables, matrix: &Harmonics, form: Form) -> Sampled {
+    let (mut values, mut ratios) = ([0.0; SAMPLES], [0.0; SAMPLES]);
+    let (mut worst, mut best) = sample_shift(simd, tables, matrix, form, &mut values, &mut ratios);
+    for more in 1..resultant::SHIFTS.len() {
+        if worst >= TOLERANCES.pivot_ratio * best {
+            break;
+        }
+        let shift = (form.shift + more) % resultant::SHIFTS.len();
+        (worst, best) = sample_shift(
+            simd,
+            tables,
+            matrix,
+            Form { shift, ..form },
+            &mut values,
+            &mut ratios,
+        );
+    }
+    let mut polynomial: Trigonometric = [0.0; COEFFICIENTS];
+    for (coefficient, weights) in polynomial.iter_mut().zip(&tables.transform) {
+        let mut sum = Lane::splat(simd, 0.0);
+        for register in 0..SAMPLES / S::F64_LANES {
+            let weight = Lane::load(simd, weights, register);
+            sum = weight.mul_add(Lane::load(simd, &values, register), sum);
+        }
+        *coefficient = sum.sum();
+    }
+    let largest = polynomial.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let scale = if largest > 0.0 { 1.0 / largest } else { 0.0 };
+    Sampled {
+        polynomial: polynomial.map(|x| x * scale),
+        scale,
+    }
+}
+
+/// One shift at all samples: takes over what is better than before. Returns the smallest and the largest ratio.
+#[inline(always)]
+fn sample_shift<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    matrix: &Harmonics,
+    form: Form,
+    values: &mut [f64; SAMPLES],
+    ratios: &mut [f64; SAMPLES],
+) -> (f64, f64) {
+    let blocks = resultant::blocks(simd, matrix, form);
+    let (mut worst, mut best) = (Lane::splat(simd, f64::MAX), Lane::splat(simd, 0.0));
+    for register in 0..SAMPLES / S::F64_LANES {
+        let c = Turn {
+            cos: Lane::load(simd, &tables.sample_cos, register),
+            sin: Lane::load(simd, &tables.sample_sin, register),
+        };
+        let reduced = resultant::reduce(&blocks, c);
+        let before = Lane::load(simd, ratios, register);
+        let better = before.less(reduced.ratio);
+        let value = better.pick(reduced.value, Lane::load(simd, values, register));
+        let ratio = better.pick(reduced.ratio, before);
+        value.store(values, register);
+        ratio.store(ratios, register);
+        (worst, best) = (worst.min(ratio), best.max(ratio));
+    }
+    (worst.smallest(), best.largest())
+}
+
+/// The smallest pivot ratio of one form alone.
+#[inline(always)]
+pub(super) fn worst_ratio<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    matrix: &Harmonics,
+    form: Form,
+) -> f64 {
+    let (mut values, mut ratios) = ([0.0; SAMPLES], [0.0; SAMPLES]);
+    sample_shift(simd, tables, matrix, form, &mut values, &mut ratios).0
+}

@@ -1,0 +1,139 @@
+//! The solutions found so far, as sines and cosines.
+
+use pulp::Simd;
+
+use super::lanes::{Lane, Turn};
+use super::newton::Angles;
+use super::tolerances::TOLERANCES;
+
+/// Real roots that a pose can have at most (Primrose 1986); members of families may fill the rest.
+pub const MAX_ROOTS: usize = 16;
+/// Copies near double roots and points of families need some room more.
+pub(super) const CAPACITY: usize = 32;
+
+/// Cosine and sine of the six joints, cosines first.
+pub(super) type Point = [f64; 12];
+
+/// Distinct solutions, and which of them the current elimination has found.
+#[derive(Clone, Debug)]
+pub(super) struct Pool {
+    pub(super) count: usize,
+    pub(super) points: [Point; CAPACITY],
+    pub(super) errors: [f64; CAPACITY],
+    /// One bit for each solution that the current elimination found.
+    pub(super) hit: u64,
+    /// Some elimination saw a near-miss.
+    pub(super) unsure: bool,
+}
+
+impl Pool {
+    pub(super) fn new() -> Self {
+        Self {
+            count: 0,
+            points: [[0.0; 12]; CAPACITY],
+            errors: [0.0; CAPACITY],
+            hit: 0,
+            unsure: false,
+        }
+    }
+
+    /// Starts a new elimination.
+    pub(super) fn start(&mut self) {
+        self.hit = 0;
+    }
+
+    /// The solutions whose smallest singular value is as `wanted`, one bit each.
+    pub(super) fn mask(&self, sigma: &[f64; CAPACITY], wanted: impl Fn(f64) -> bool) -> u64 {
+        let bits = sigma[..self.count].iter().enumerate();
+        bits.fold(0, |mask, (index, &s)| {
+            mask | (u64::from(wanted(s)) << index)
+        })
+    }
+
+    /// Merges copies of singular solutions: rounding of the pose moves their joints by its size over sigma. True if there
+    /// were any.
+    pub(super) fn merge(&mut self, sigma: &mut [f64; CAPACITY]) -> bool {
+        let before = self.count;
+        let mut index = 1;
+        while index < self.count {
+            let copy = (0..index).find(|&kept| {
+                let s = sigma[kept].max(sigma[index]);
+                let allowed =
+                    (TOLERANCES.scatter / s).clamp(TOLERANCES.same, TOLERANCES.most_scatter);
+                s < TOLERANCES.singular
+                    && distance(&self.points[kept], &self.points[index]) < allowed
+            });
+            let Some(kept) = copy else {
+                index += 1;
+                continue;
+            };
+            let last = self.count - 1;
+            // The joints' error at a double root grows with sigma: the smaller one is the better copy.
+            if sigma[index] < sigma[kept] && self.errors[index] < TOLERANCES.closes_well {
+                self.points[kept] = self.points[index];
+                self.errors[kept] = self.errors[index];
+                sigma[kept] = sigma[index];
+            }
+            if (self.hit >> index) & 1 == 1 {
+                self.hit |= 1 << kept;
+            }
+            self.points.copy_within(index + 1..=last, index);
+            self.errors.copy_within(index + 1..=last, index);
+            sigma.copy_within(index + 1..=last, index);
+            let below = (1_u64 << index) - 1;
+            self.hit = (self.hit & below) | ((self.hit >> 1) & !below);
+            self.count = last;
+        }
+        self.count < before
+    }
+
+    /// Adds the first `used` lanes whose error is at most `most`.
+    #[inline(always)]
+    pub(super) fn add<S: Simd>(&mut self, q: &Angles<S>, errors: Lane<S>, used: usize, most: f64) {
+        let mut error = [0.0; 8];
+        errors.store(&mut error, 0);
+        let mut numbers = [[0.0; 8]; 12];
+        for (joint, Turn { cos, sin }) in q.iter().enumerate() {
+            cos.store(&mut numbers[joint], 0);
+            sin.store(&mut numbers[6 + joint], 0);
+        }
+        for lane in 0..used.min(8) {
+            if error[lane] <= most {
+                let mut point = [0.0; 12];
+                for (entry, list) in point.iter_mut().zip(&numbers) {
+                    *entry = list[lane];
+                }
+                self.insert(&point, error[lane]);
+            }
+        }
+    }
+
+    /// Adds a solution unless it is there; either way it counts as hit.
+    pub(super) fn insert(&mut self, point: &Point, error: f64) {
+        for index in 0..self.count {
+            if distance(point, &self.points[index]) < TOLERANCES.same {
+                self.hit |= 1 << index;
+                if error < self.errors[index] {
+                    self.points[index] = *point;
+                    self.errors[index] = error;
+                }
+                return;
+            }
+        }
+        if self.count < CAPACITY {
+            self.points[self.count] = *point;
+            self.errors[self.count] = error;
+            self.hit |= 1 << self.count;
+            self.count += 1;
+        }
+    }
+}
+
+/// The largest difference of two solutions' sines and cosines.
+pub(super) fn distance(a: &Point, b: &Point) -> f64 {
+    let mut most = 0.0_f64;
+    for (x, y) in a.iter().zip(b) {
+        most = most.max((x - y).abs());
+    }
+    most
+}

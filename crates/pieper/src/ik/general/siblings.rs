@@ -1,0 +1,148 @@
+//! Near a singularity roots come in pairs, and the eliminations may see only one: its sibling is searched for along the
+//! direction in which the arm moves without moving its end.
+
+use pulp::{Simd, WithSimd};
+
+use super::lanes::{Lane, Turn};
+use super::newton::{Angles, Goal, measure, newton};
+use super::pool::{CAPACITY, Pool};
+use super::tolerances::TOLERANCES;
+
+/// Measures the solutions from `first` on.
+#[inline(always)]
+pub(super) fn measure_new<S: Simd>(
+    simd: S,
+    goal: &Goal<'_>,
+    pool: &Pool,
+    first: usize,
+    sigma: &mut [f64; CAPACITY],
+) {
+    let first = first - first % S::F64_LANES;
+    for register in first / S::F64_LANES..pool.count.div_ceil(S::F64_LANES) {
+        simd.vectorize(Measure {
+            goal,
+            pool,
+            register,
+            sigma,
+        });
+    }
+}
+
+struct Measure<'a, 'b> {
+    goal: &'a Goal<'b>,
+    pool: &'a Pool,
+    register: usize,
+    sigma: &'a mut [f64; CAPACITY],
+}
+
+impl WithSimd for Measure<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let q = gather(simd, self.pool, self.register);
+        let measured = measure(simd, self.goal, &q);
+        measured.sigma.store(self.sigma, self.register);
+    }
+}
+
+/// The solutions of one register.
+#[inline(always)]
+fn gather<S: Simd>(simd: S, pool: &Pool, register: usize) -> Angles<S> {
+    let mut lists = [[0.0; 8]; 12];
+    for (place, list) in lists.iter_mut().enumerate() {
+        for (lane, slot) in list.iter_mut().enumerate().take(S::F64_LANES) {
+            let index = (register * S::F64_LANES + lane).min(pool.count.saturating_sub(1));
+            *slot = pool.points[index][place];
+        }
+    }
+    let zero = Lane::splat(simd, 0.0);
+    let mut q = [Turn {
+        cos: zero,
+        sin: zero,
+    }; 6];
+    for (joint, turn) in q.iter_mut().enumerate() {
+        turn.cos = Lane::load(simd, &lists[joint], 0);
+        turn.sin = Lane::load(simd, &lists[6 + joint], 0);
+    }
+    q
+}
+
+/// Whether every nearly singular solution has a partner that is as singular: siblings are, on both sides of a double root
+/// and at a wrist that flips. Families have more members than that.
+pub(super) fn paired(pool: &Pool, sigma: &[f64; CAPACITY]) -> bool {
+    let list = &sigma[..pool.count];
+    list.iter().enumerate().all(|(index, &s)| {
+        let alike = |(other, &t): (usize, &f64)| other != index && t < 2.0 * s && s < 2.0 * t;
+        let close = (TOLERANCES.doubles..=TOLERANCES.singular).contains(&s);
+        !close || list.iter().enumerate().any(alike)
+    })
+}
+
+/// Searches siblings of nearly singular solutions.
+#[inline(always)]
+pub(super) fn search<S: Simd>(
+    simd: S,
+    goal: &Goal<'_>,
+    pool: &mut Pool,
+    sigma: &mut [f64; CAPACITY],
+) {
+    let (mut next, mut searched) = (0, 0);
+    while next < pool.count && searched < SEARCHES {
+        if sigma[next] < TOLERANCES.singular {
+            searched += 1;
+            let before = pool.count;
+            for register in 0..STARTS / S::F64_LANES {
+                simd.vectorize(Along {
+                    goal,
+                    pool,
+                    index: next,
+                    register,
+                });
+            }
+            measure_new(simd, goal, pool, before, sigma);
+        }
+        next += 1;
+    }
+}
+
+/// Searches at most: the members of a family would go on for ever.
+const SEARCHES: usize = 6;
+
+/// Starts along the null direction.
+const STARTS: usize = 16;
+
+/// Their distances in radians: far ones for flips of a wrist, near ones for the other half of a double root.
+const DISTANCES: [f64; STARTS] = [
+    2e-4, -2e-4, 2e-3, -2e-3, 1e-2, -1e-2, 5e-2, -5e-2, 0.3, -0.3, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0,
+];
+
+struct Along<'a, 'b> {
+    goal: &'a Goal<'b>,
+    pool: &'a mut Pool,
+    index: usize,
+    register: usize,
+}
+
+impl WithSimd for Along<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let point = self.pool.points[self.index];
+        let zero = Lane::splat(simd, 0.0);
+        let mut q = [Turn {
+            cos: zero,
+            sin: zero,
+        }; 6];
+        for (joint, turn) in q.iter_mut().enumerate() {
+            turn.cos = Lane::splat(simd, point[joint]);
+            turn.sin = Lane::splat(simd, point[6 + joint]);
+        }
+        let measured = measure(simd, self.goal, &q);
+        let distance = Lane::load(simd, &DISTANCES, self.register);
+        for (turn, &along) in q.iter_mut().zip(&measured.free) {
+            *turn = turn.advanced(along * distance);
+        }
+        let errors = newton(simd, self.goal, &mut q);
+        self.pool.add(&q, errors, S::F64_LANES, TOLERANCES.closes);
+    }
+}

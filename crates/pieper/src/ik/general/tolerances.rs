@@ -1,0 +1,62 @@
+//! Every threshold of the general solver, and its reason.
+//!
+//! Lengths are scaled: the distances between the arm's axes add up to 3.
+
+/// See the fields.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tolerances {
+    /// A sample whose pivots differ by more than this loses so many digits that other shifts are tried.
+    pub(super) pivot_ratio: f64,
+    /// Radians. On an interval this short, an extremum is sought where there are two sign changes. Not shorter: a complex
+    /// pair leaves no sign changes on intervals of the size of its imaginary part.
+    pub(super) pair_width: f64,
+    /// Radians. On an interval this short there is one extremum only.
+    pub(super) short: f64,
+    /// Radians. No interval is cut further: the noise of the coefficients moves close roots by as much.
+    pub(super) least_width: f64,
+    /// Radians. A complex pair with a smaller imaginary part may be two real roots in truth.
+    pub(super) near_miss: f64,
+    /// Radians. A larger step towards the root of det S is noise.
+    pub(super) refine_step: f64,
+    /// A larger error after the first Newton steps is no root.
+    pub(super) hopeless: f64,
+    /// Radians, all joints together: the longest Newton step.
+    pub(super) newton_step: f64,
+    /// The error of a pose below which rounding rules.
+    pub(super) rounding: f64,
+    /// The largest error of an accepted root: quadratic convergence leaves nothing between this and rounding, but
+    /// at singularities it stalls.
+    pub(super) closes: f64,
+    /// An error that any copy of a root should have.
+    pub(super) closes_well: f64,
+    /// Two roots whose joints differ by less, in sines and cosines, are one.
+    pub(super) same: f64,
+    /// Smallest singular value below which roots may be double: their number then says nothing.
+    pub(super) doubles: f64,
+    /// What rounding does to a pose: over sigma, it is how far copies of a singular root lie apart.
+    pub(super) scatter: f64,
+    /// Copies are never farther apart than this, in sines and cosines.
+    pub(super) most_scatter: f64,
+    /// Smallest singular value below which the joints of two copies differ by more than `same`, and siblings are sought.
+    pub(super) singular: f64,
+}
+
+/// The one set in use.
+pub(super) const TOLERANCES: Tolerances = Tolerances {
+    pivot_ratio: 1e-3,
+    pair_width: 0.1,
+    short: 0.025,
+    least_width: 2e-4,
+    near_miss: 0.03,
+    refine_step: 0.02,
+    hopeless: 0.3,
+    newton_step: 0.5,
+    rounding: 2e-15,
+    closes: 1e-10,
+    closes_well: 1e-12,
+    same: 1e-7,
+    scatter: 1e-14,
+    most_scatter: 1e-6,
+    doubles: 1e-7,
+    singular: 2e-3,
+};

@@ -1,0 +1,243 @@
+//! Which eliminations an arm is solved by: all are tried on random reachable poses.
+
+use pulp::{Simd, WithSimd};
+
+use super::Scaled;
+use super::cycle::CASES;
+use super::elimination::Linear;
+use super::lanes::Rigid;
+use super::newton::Goal;
+use super::pool::Pool;
+use super::random::Random;
+use super::resultant::{Form, SHIFTS};
+use super::single::{Elimination, Target};
+use super::tables::Tables;
+use crate::error::{Error, Result};
+use crate::spatial::Pose;
+
+/// Poses on which the eliminations are tried.
+const POSES: usize = 24;
+/// Poses on which the form of the resultant is chosen.
+const FORM_POSES: usize = 3;
+/// Perturbations of the linear part. None is best for general arms; 1e-6 splits the degeneracies of structured ones: less
+/// drowns them in rounding, which grows with its inverse square, more moves close roots together.
+const DELTAS: [f64; 2] = [0.0, 1e-6];
+/// The fallback for poses at which the small one does not help.
+const LARGE_DELTA: f64 = 1e-4;
+/// Seeds of the test poses and of the perturbations.
+const POSE_SEED: u64 = 0x6b69_6e65;
+const MOTION_SEED: u64 = 0x7069_6570;
+
+/// Chooses eliminations and how many of them are run at least.
+pub(super) struct Trial<'a> {
+    pub(super) arm: &'a Scaled,
+    pub(super) tables: &'a Tables,
+}
+
+/// An elimination and what it found.
+struct Score {
+    elimination: Elimination,
+    /// For each pose the members of the union found.
+    found: [u64; POSES],
+}
+
+impl WithSimd for Trial<'_> {
+    type Output = Result<(Vec<Elimination>, usize)>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+        let targets = self.poses(simd)?;
+        let mut random = Random::new(MOTION_SEED);
+        let mut scores = Vec::new();
+        let mut pools = vec![Pool::new(); POSES];
+        for delta in DELTAS {
+            for case in CASES {
+                let elimination = self.build(simd, case, delta, &targets, &mut random);
+                let found = std::array::from_fn(|p| {
+                    self.found(simd, &elimination, &targets[p], &mut pools[p])
+                });
+                scores.push(Score { elimination, found });
+            }
+        }
+        let large: Vec<Elimination> = CASES
+            .iter()
+            .take(5)
+            .map(|&case| self.build(simd, case, LARGE_DELTA, &targets, &mut random))
+            .collect();
+        Ok(order(scores, &pools, large))
+    }
+}
+
+impl Trial<'_> {
+    /// Reachable poses; an error if the arm is singular at all of them.
+    #[inline(always)]
+    fn poses<S: Simd>(&self, simd: S) -> Result<Vec<Target>> {
+        let mut random = Random::new(POSE_SEED);
+        let mut regular = 0.0_f64;
+        let mut targets = Vec::with_capacity(POSES);
+        for _ in 0..POSES {
+            let q: [f64; 6] = std::array::from_fn(|_| random.signed() * std::f64::consts::PI);
+            let target = Target::new(self.arm.forward(&q));
+            let mut pool = Pool::new();
+            let point = std::array::from_fn(|k| if k < 6 { q[k].cos() } else { q[k - 6].sin() });
+            pool.insert(&point, 0.0);
+            let mut sigma = [0.0; super::pool::CAPACITY];
+            let goal = self.goal(&target);
+            super::siblings::measure_new(simd, &goal, &pool, 0, &mut sigma);
+            regular = regular.max(sigma[0]);
+            targets.push(target);
+        }
+        if regular < SINGULAR_ARM {
+            let text = format!(
+                "it is singular everywhere: some motion of the joints leaves the tool where it is \
+                 (largest smallest singular value {regular:.1e} at {POSES} random configurations)"
+            );
+            return Err(Error::model("arm", text));
+        }
+        Ok(targets)
+    }
+
+    fn goal(&self, target: &Target) -> Goal<'_> {
+        Goal {
+            links: &self.arm.links,
+            target: Rigid::of(&target.pose),
+        }
+    }
+
+    /// Builds an elimination in its best form: the mean logarithm of the pivot ratio over a few poses decides.
+    #[inline(always)]
+    fn build<S: Simd>(
+        &self,
+        simd: S,
+        case: super::cycle::Case,
+        delta: f64,
+        targets: &[Target],
+        random: &mut Random,
+    ) -> Elimination {
+        let loop_links: [Pose; 6] = std::array::from_fn(|i| {
+            self.arm
+                .poses
+                .get(i)
+                .copied()
+                .unwrap_or_else(Pose::identity)
+        });
+        let of = case.links(&loop_links);
+        let mut links = of.each_ref().map(Rigid::of);
+        links[5] = Rigid::of(&of[5].inverse());
+        let form = Form {
+            swapped: false,
+            shift: 0,
+        };
+        let mut best = Elimination {
+            case,
+            delta,
+            form,
+            linear: Linear::new(case, &loop_links, delta, random),
+            links,
+        };
+        let mut best_score = f64::NEG_INFINITY;
+        let mut best_form = form;
+        for swapped in [false, true] {
+            for shift in 0..SHIFTS.len() {
+                best.set_form(Form { swapped, shift });
+                let score: f64 = targets[..FORM_POSES]
+                    .iter()
+                    .map(|target| best.conditioning(simd, self.tables, target).max(1e-30).ln())
+                    .sum();
+                if score > best_score {
+                    (best_score, best_form) = (score, best.form);
+                }
+            }
+        }
+        best.set_form(best_form);
+        best
+    }
+
+    /// Which members of the pool an elimination finds, new ones included.
+    #[inline(always)]
+    fn found<S: Simd>(
+        &self,
+        simd: S,
+        elimination: &Elimination,
+        target: &Target,
+        pool: &mut Pool,
+    ) -> u64 {
+        pool.start();
+        elimination.run(simd, self.tables, &self.goal(target), target, pool);
+        pool.hit
+    }
+}
+
+/// Below this at every random configuration an arm counts as singular everywhere: rounding gives some 1e-16, arms that
+/// move in all directions reach 1e-2.
+const SINGULAR_ARM: f64 = 1e-9;
+
+/// Perturbed eliminations are preferred only where they find more.
+const DELTA_COST: f64 = 0.002;
+
+/// Greedy: the first finds most, each further one most together with the ones before, with another kept joint preferred.
+fn order(
+    mut scores: Vec<Score>,
+    pools: &[Pool],
+    large: Vec<Elimination>,
+) -> (Vec<Elimination>, usize) {
+    let total: u32 = pools.iter().map(|pool| pool.count as u32).sum();
+    let mut chosen: Vec<Score> = Vec::new();
+    let mut union = [0_u64; POSES];
+    while chosen.len() < 3 {
+        let value = |score: &Score| {
+            let covered: u32 = (0..POSES)
+                .map(|p| (union[p] | score.found[p]).count_ones())
+                .sum();
+            let own: u32 = score.found.iter().map(|f| f.count_ones()).sum();
+            let share = |count: u32| f64::from(count) / f64::from(total.max(1));
+            let repeated = chosen
+                .iter()
+                .any(|c| c.elimination.case.kept == score.elimination.case.kept);
+            let cost = if score.elimination.delta > 0.0 {
+                DELTA_COST
+            } else {
+                0.0
+            };
+            share(covered) + share(own) - cost - if repeated { 0.5 } else { 0.0 }
+        };
+        let mut best = 0;
+        for index in 1..scores.len() {
+            if value(&scores[index]) > value(&scores[best]) {
+                best = index;
+            }
+        }
+        let next = scores.remove(best);
+        for p in 0..POSES {
+            union[p] |= next.found[p];
+        }
+        chosen.push(next);
+    }
+    let least = least(&chosen, pools);
+    let mut list: Vec<Elimination> = chosen.into_iter().map(|score| score.elimination).collect();
+    list.extend(large);
+    scores.sort_by_key(|score| {
+        std::cmp::Reverse(score.found.iter().map(|f| f.count_ones()).sum::<u32>())
+    });
+    list.extend(scores.into_iter().map(|score| score.elimination));
+    (list, least)
+}
+
+/// The smallest number of first eliminations, from 2 to 3, by which every root is found twice; 4 otherwise.
+fn least(chosen: &[Score], pools: &[Pool]) -> usize {
+    for count in 2..=chosen.len() {
+        let twice = (0..POSES).all(|p| {
+            (0..pools[p].count).all(|root| {
+                let times = chosen[..count]
+                    .iter()
+                    .filter(|c| (c.found[p] >> root) & 1 == 1)
+                    .count();
+                times >= 2
+            })
+        });
+        if twice {
+            return count;
+        }
+    }
+    4
+}

@@ -16,3 +16,8 @@ pub mod scalar;
 pub mod spatial;
 
 pub use error::{Error, Result};
+
+/// The README's program is compiled with the documentation's examples.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -6,14 +6,22 @@
 //! The library does no input or output beyond text it is handed, starts no thread, reads no clock.
 //! Lengths are metres, angles radians, time seconds, everywhere.
 
-pub mod describe;
+// Blank lines keep the order: it is that of reading, and of what may use what.
 pub mod error;
-pub mod ik;
-pub mod kinematics;
-pub mod model;
-pub mod motion;
+
 pub mod scalar;
+
 pub mod spatial;
+
+pub mod model;
+
+pub mod describe;
+
+pub mod kinematics;
+
+pub mod ik;
+
+pub mod motion;
 
 pub use error::{Error, Result};
 

@@ -4,6 +4,8 @@
 //! a register. The width is chosen when the program runs: eight poses at once with AVX-512, four with AVX2, two
 //! with NEON, one elsewhere.
 
+use std::ops::Range;
+
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 
@@ -248,34 +250,62 @@ impl WithSimd for Batch<'_> {
         let width = S::F64_LANES;
         // A single lane has no fused multiply-add to reduce angles with: the plain way is the faster one there.
         let blocks = if width > 1 { count / width } else { 0 };
-        let zero = Lanes::splat(simd, 0.0);
-        let mut turns = Turns(
-            [Turn {
-                sin: zero,
-                cos: zero,
-            }; PACK],
-        );
-        for block in 0..blocks {
-            let (from, to) = (start + block * width, block * width);
-            if several(
-                simd,
-                canonical,
-                |j| q.joint(j),
-                from,
-                &mut turns,
-                &mut out,
-                to,
-            ) {
-                continue;
-            }
-            let bad =
-                (0..width).find_map(|lane| plain(canonical, q, from + lane, &mut out, to + lane));
-            if bad.is_some() {
-                return bad;
+        let mut block = 0;
+        while block < blocks {
+            block = self::blocks(simd, canonical, q, start, &mut out, block..blocks);
+            if block < blocks {
+                let mut lanes = block * width..(block + 1) * width;
+                let bad = lanes.find_map(|at| plain(canonical, q, start + at, &mut out, at));
+                if bad.is_some() {
+                    return bad;
+                }
+                block += 1;
             }
         }
         (blocks * width..count).find_map(|at| plain(canonical, q, start + at, &mut out, at))
     }
+}
+
+/// Runs blocks of one register's worth of poses; the first that has to go the long way, or the end.
+#[inline(always)]
+fn blocks<S: Simd>(
+    simd: S,
+    canonical: &Canonical,
+    q: &JointBatch,
+    start: usize,
+    out: &mut [&mut [f64]; ENTRIES],
+    blocks: Range<usize>,
+) -> usize {
+    let end = blocks.end;
+    // Rows of registers, found once: finding them again for each step costs as much as the arithmetic of a link.
+    let row = |variable: usize| S::as_simd_f64s(&q.joint(variable)[start..]).0;
+    let mut rows: [&[S::f64s]; PACK] = [&[]; PACK];
+    for (variable, place) in rows.iter_mut().enumerate().take(q.dof) {
+        *place = row(variable);
+    }
+    let mut columns: [&mut [S::f64s]; ENTRIES] = Default::default();
+    for (column, entries) in columns.iter_mut().zip(out.iter_mut()) {
+        *column = S::as_mut_simd_f64s(entries).0;
+    }
+    let zero = Lanes::splat(simd, 0.0);
+    let mut turns = Turns(
+        [Turn {
+            sin: zero,
+            cos: zero,
+        }; PACK],
+    );
+    // A plain loop: inside the closures of iterators the compiler forgets the processor's features.
+    for block in blocks {
+        let joint = |variable: usize| match rows.get(variable) {
+            Some(row) => row[block],
+            None => row(variable)[block],
+        };
+        let store = |entry: usize, value: S::f64s| columns[entry][block] = value;
+        if !several(simd, canonical, joint, &mut turns, store) {
+            return block;
+        }
+    }
+    end
 }
 
 /// Vectors in a group of [`group`].
@@ -316,12 +346,18 @@ impl WithSimd for Group<'_> {
                 cos: zero,
             }; PACK],
         );
-        let mut out = self.out.each_mut().map(|entry| &mut entry[..]);
-        let joint = |variable: usize| &self.q[variable][..];
-        (0..GROUP / width).all(|block| {
-            let at = block * width;
-            several(simd, self.canonical, joint, at, &mut turns, &mut out, at)
-        })
+        let mut columns: [&mut [S::f64s]; ENTRIES] = Default::default();
+        for (column, entries) in columns.iter_mut().zip(self.out.iter_mut()) {
+            *column = S::as_mut_simd_f64s(entries).0;
+        }
+        for block in 0..GROUP / width {
+            let joint = |variable: usize| S::as_simd_f64s(&self.q[variable]).0[block];
+            let store = |entry: usize, value: S::f64s| columns[entry][block] = value;
+            if !several(simd, self.canonical, joint, &mut turns, store) {
+                return false;
+            }
+        }
+        true
     }
 }
 
@@ -329,17 +365,15 @@ impl WithSimd for Group<'_> {
 #[repr(align(64))]
 struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
 
-/// One register's worth of poses, of the vectors from `from` on, written from place `to` on; `false`, and nothing of
-/// use written, if an angle is too large or not finite.
+/// One register's worth of poses: `joint` gives the values of a variable, `store` takes the entries; `false`, and
+/// nothing of use stored, if an angle is too large or not finite.
 #[inline(always)]
-fn several<'a, S: Simd>(
+fn several<S: Simd>(
     simd: S,
     canonical: &Canonical,
-    joint: impl Fn(usize) -> &'a [f64],
-    from: usize,
+    joint: impl Fn(usize) -> S::f64s,
     Turns(turns): &mut Turns<S>,
-    out: &mut [&mut [f64]; ENTRIES],
-    to: usize,
+    mut store: impl FnMut(usize, S::f64s),
 ) -> bool {
     let splat = |value: f64| Lanes::splat(simd, value);
     let base = single::base_frame(&canonical.base);
@@ -359,10 +393,9 @@ fn several<'a, S: Simd>(
     for steps in canonical.steps.chunks(PACK) {
         // All sines and cosines first: they are independent of one another, the product is one long chain.
         for (turn, step) in turns.iter_mut().zip(steps) {
-            let values = &joint(step.drive.variable)[from..from + S::F64_LANES];
             let value = Lanes {
                 simd,
-                value: S::as_simd_f64s(values).0[0],
+                value: joint(step.drive.variable),
             };
             let displacement = value.mul_add(splat(step.drive.factor), splat(step.drive.offset));
             // Adding sizes, unlike comparing them, keeps what is not a number.
@@ -390,9 +423,6 @@ fn several<'a, S: Simd>(
         frame = single::run(steps, frame, splat, motion, |_, _| {});
     }
     single::append_tail(&mut frame, canonical, splat);
-    let mut store = |entry: usize, value: S::f64s| {
-        S::as_mut_simd_f64s(&mut out[entry][to..to + S::F64_LANES]).0[0] = value;
-    };
     let Frame { x, y, z, p } = frame;
     store(0, x.x);
     store(1, x.y);

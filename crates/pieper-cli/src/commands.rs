@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod check;
 mod convert;
 mod fk;
 mod ik;
@@ -24,6 +25,8 @@ pub(crate) enum Command {
     Run(run::Arguments),
     /// Write a robot in another description: table, screws or URDF
     Convert(convert::Arguments),
+    /// Check printed formulas against an arm
+    Check(check::Arguments),
     /// Inverse kinematics: a pose in, every solution out
     Ik(ik::Arguments),
 }
@@ -37,6 +40,7 @@ impl Command {
             Self::Fk(arguments) => arguments.run(),
             Self::Run(arguments) => arguments.run(),
             Self::Convert(arguments) => arguments.run(),
+            Self::Check(arguments) => arguments.run(),
             Self::Ik(arguments) => arguments.run(),
         }
     }

@@ -8,17 +8,26 @@ use crate::poly::Poly;
 
 /// The turn by nothing.
 pub(crate) fn still() -> Turn<Poly> {
-    Turn { sin: Poly::zero(), cos: Poly::one() }
+    Turn {
+        sin: Poly::zero(),
+        cos: Poly::one(),
+    }
 }
 
 /// The turn by an angle.
 pub(crate) fn turn(angle: Angle) -> Turn<Poly> {
-    Turn { sin: Poly::var(angle.sin()), cos: Poly::var(angle.cos()) }
+    Turn {
+        sin: Poly::var(angle.sin()),
+        cos: Poly::var(angle.cos()),
+    }
 }
 
 /// The turn by the opposite angle.
 pub(crate) fn opposite(turn: &Turn<Poly>) -> Turn<Poly> {
-    Turn { sin: -turn.sin.clone(), cos: turn.cos.clone() }
+    Turn {
+        sin: -turn.sin.clone(),
+        cos: turn.cos.clone(),
+    }
 }
 
 /// The turn by the sum of two angles.
@@ -31,7 +40,10 @@ pub(crate) fn sum(a: &Turn<Poly>, b: &Turn<Poly>) -> Turn<Poly> {
 
 /// The turn by `steps` times 15 degrees, in roots of 2 and 3.
 pub(crate) fn fifteen_degrees(steps: i64) -> Turn<Poly> {
-    Turn { sin: sine(steps), cos: sine(steps + 6) }
+    Turn {
+        sin: sine(steps),
+        cos: sine(steps + 6),
+    }
 }
 
 fn sine(steps: i64) -> Poly {
@@ -61,10 +73,22 @@ mod tests {
     fn exact_sines_are_the_sines() {
         for steps in -30..30_i64 {
             let turn = fifteen_degrees(steps);
-            let value = |var: Var| if var == Var::ROOT2 { 2_f64.sqrt() } else { 3_f64.sqrt() };
+            let value = |var: Var| {
+                if var == Var::ROOT2 {
+                    2_f64.sqrt()
+                } else {
+                    3_f64.sqrt()
+                }
+            };
             let angle = steps as f64 * std::f64::consts::PI / 12.0;
-            assert!((turn.sin.evaluate(&0.0, value) - angle.sin()).abs() < 1e-14, "{steps}");
-            assert!((turn.cos.evaluate(&0.0, value) - angle.cos()).abs() < 1e-14, "{steps}");
+            assert!(
+                (turn.sin.evaluate(&0.0, value) - angle.sin()).abs() < 1e-14,
+                "{steps}"
+            );
+            assert!(
+                (turn.cos.evaluate(&0.0, value) - angle.cos()).abs() < 1e-14,
+                "{steps}"
+            );
             assert_eq!(&turn.sin * &turn.sin + &turn.cos * &turn.cos, Poly::one());
         }
     }

@@ -93,10 +93,20 @@ impl Arm {
         }
     }
 
-    fn of_table(robot: &Robot, table: &DhTable, lengths: Lengths, computed_table: bool) -> Result<Self> {
+    fn of_table(
+        robot: &Robot,
+        table: &DhTable,
+        lengths: Lengths,
+        computed_table: bool,
+    ) -> Result<Self> {
         let mut names = Names::default();
         let room = |found: Option<_>| {
-            found.ok_or_else(|| Error::model(robot.name.clone(), "it has more joints than formulas have room for"))
+            found.ok_or_else(|| {
+                Error::model(
+                    robot.name.clone(),
+                    "it has more joints than formulas have room for",
+                )
+            })
         };
         for (index, row) in table.rows.iter().enumerate() {
             match row.moves {
@@ -107,9 +117,15 @@ impl Arm {
                 }
             }
         }
-        let mut entries = Entries { names: &mut names, parameters: &robot.parameters, lengths };
+        let mut entries = Entries {
+            names: &mut names,
+            parameters: &robot.parameters,
+            lengths,
+        };
         let rows = table.rows.iter().enumerate();
-        let rows = rows.map(|(index, row)| entries.row(index, row)).collect::<Result<Vec<_>>>()?;
+        let rows = rows
+            .map(|(index, row)| entries.row(index, row))
+            .collect::<Result<Vec<_>>>()?;
         let base = entries.fixed(&table.base)?;
         let tool = entries.fixed(&table.tool)?;
         let parallel = parallel_runs(table.convention, &rows);
@@ -119,7 +135,12 @@ impl Arm {
                 let _ = names.angle(AngleMeaning::Sum(sum));
             }
         }
-        let printed = table.rows.iter().enumerate().map(|(index, row)| printed(index, row)).collect();
+        let printed = table
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(index, row)| printed(index, row))
+            .collect();
         let values = robot.values()?.into_iter().collect();
         Ok(Self {
             title: robot.name.clone(),
@@ -187,7 +208,10 @@ impl Arm {
     /// # Errors
     /// A model error if an entry outgrows [`MAX_TERMS`](crate::poly::MAX_TERMS).
     pub fn tool_pose(&self) -> Result<Transform> {
-        let mut frame = self.base.as_ref().map_or_else(identity_frame, Transform::frame);
+        let mut frame = self
+            .base
+            .as_ref()
+            .map_or_else(identity_frame, Transform::frame);
         (0..self.dof()).for_each(|index| self.append(&mut frame, index));
         if let Some(tool) = &self.tool {
             frame.append(&tool.0);
@@ -225,7 +249,10 @@ impl Arm {
         let joint = |joint: &usize| q.get(*joint).copied().unwrap_or(f64::NAN);
         match self.names.meaning(angle) {
             AngleMeaning::Joint(index) => joint(index),
-            AngleMeaning::Sum(sum) => sum.iter().map(|(index, sign)| f64::from(*sign) * joint(index)).sum(),
+            AngleMeaning::Sum(sum) => sum
+                .iter()
+                .map(|(index, sign)| f64::from(*sign) * joint(index))
+                .sum(),
             AngleMeaning::Parameter(name) => parameter(name),
             AngleMeaning::Constant(_, value) => *value,
         }
@@ -233,12 +260,22 @@ impl Arm {
 
     /// The value of a table's parameter, formulas included; NaN where it has none.
     pub fn parameter(&self, name: &str) -> f64 {
-        let known = |name: &str| self.values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+        let known = |name: &str| {
+            self.values
+                .iter()
+                .find(|(known, _)| known == name)
+                .map(|(_, value)| *value)
+        };
         if let Some(value) = known(name) {
             return value;
         }
-        let formula = self.names.find_symbol(name).and_then(|var| self.names.symbol_meaning(var));
-        let Some(SymbolMeaning::Formula(text)) = formula else { return f64::NAN };
+        let formula = self
+            .names
+            .find_symbol(name)
+            .and_then(|var| self.names.symbol_meaning(var));
+        let Some(SymbolMeaning::Formula(text)) = formula else {
+            return f64::NAN;
+        };
         let values = self.values.iter().cloned().collect();
         let value = pieper::describe::Expr::parse(text).and_then(|expr| expr.evaluate(&values));
         value.unwrap_or(f64::NAN)
@@ -266,7 +303,15 @@ impl Entries<'_> {
             }
         }
         let (a, alpha) = (self.length(&row.a)?, self.angle(&row.alpha)?);
-        Ok(Row { turns: row.moves == Moves::Theta, sign, theta, offset, d: shift, a, alpha })
+        Ok(Row {
+            turns: row.moves == Moves::Theta,
+            sign,
+            theta,
+            offset,
+            d: shift,
+            a,
+            alpha,
+        })
     }
 
     /// A fixed transform; `None` for the identity.
@@ -300,7 +345,10 @@ fn parallel_runs(convention: Convention, rows: &[Row]) -> Vec<Vec<(usize, i8)>> 
             Convention::Standard => Some(&rows[index - 1].alpha),
             Convention::Modified => (index > 0).then_some(&row.alpha),
         };
-        match twist.filter(|twist| twist.sin.is_zero()).and_then(|twist| twist.cos.constant()) {
+        match twist
+            .filter(|twist| twist.sin.is_zero())
+            .and_then(|twist| twist.cos.constant())
+        {
             Some(cos) => facing *= if number::is_negative(&cos) { -1 } else { 1 },
             None => {
                 runs.push(std::mem::take(&mut run));
@@ -330,7 +378,9 @@ fn sums_of(run: &[(usize, i8)]) -> Vec<Vec<(usize, i8)>> {
 /// A sum or its opposite, whichever starts with a plus.
 pub(crate) fn positive(sum: &[(usize, i8)]) -> Vec<(usize, i8)> {
     let first = sum.first().map_or(1, |(_, sign)| *sign);
-    sum.iter().map(|&(joint, sign)| (joint, sign * first)).collect()
+    sum.iter()
+        .map(|&(joint, sign)| (joint, sign * first))
+        .collect()
 }
 
 fn printed(index: usize, row: &DhRow) -> [String; 4] {

@@ -44,7 +44,9 @@ pub fn cumulative(arm: &Arm) -> Basis {
         let edges: Vec<_> = (1..=run.len()).map(|end| (0, end)).collect();
         images(&arm.names, run, &edges)
     });
-    Basis { images: images.flatten().collect() }
+    Basis {
+        images: images.flatten().collect(),
+    }
 }
 
 /// The shortest form of a formula of joint angles over all bases of the arm's runs of parallel axes, and its basis.
@@ -54,14 +56,17 @@ pub fn shortest(arm: &Arm, poly: &Poly) -> Poly {
     let mut best = poly.clone();
     for run in &arm.parallel {
         let concerned = run.iter().filter(|(joint, _)| {
-            arm.joint_angle(*joint).is_some_and(|angle| poly.contains_angle(angle))
+            arm.joint_angle(*joint)
+                .is_some_and(|angle| poly.contains_angle(angle))
         });
         if concerned.count() < 2 {
             continue;
         }
         let start = best.clone();
         for edges in trees(run.len()) {
-            let Some(images) = images(&arm.names, run, &edges) else { continue };
+            let Some(images) = images(&arm.names, run, &edges) else {
+                continue;
+            };
             let basis = Basis { images };
             if basis.is_trivial() {
                 continue;
@@ -77,14 +82,19 @@ pub fn shortest(arm: &Arm, poly: &Poly) -> Poly {
 
 /// Terms first, then factors.
 fn cost(poly: &Poly) -> (usize, u32) {
-    (poly.terms().len(), poly.terms().iter().map(|term| term.monomial.degree()).sum())
+    (
+        poly.terms().len(),
+        poly.terms().iter().map(|term| term.monomial.degree()).sum(),
+    )
 }
 
 /// A formula in sums, back in single joint angles: the form in which equality is decided.
 pub fn in_joints(names: &Names, poly: &Poly) -> Poly {
     poly.substitute(|var| {
         let angle = var.angle()?;
-        let AngleMeaning::Sum(sum) = names.meaning(angle) else { return None };
+        let AngleMeaning::Sum(sum) = names.meaning(angle) else {
+            return None;
+        };
         let turn = expanded(names, sum)?;
         Some(match var.kind() {
             VarKind::Sin(_) => turn.sin,
@@ -97,7 +107,11 @@ pub fn in_joints(names: &Names, poly: &Poly) -> Poly {
 pub(crate) fn expanded(names: &Names, sum: &[(usize, i8)]) -> Option<Turn<Poly>> {
     sum.iter().try_fold(angle::still(), |total, (joint, sign)| {
         let own = angle::turn(names.find_angle(&AngleMeaning::Joint(*joint))?);
-        let own = if *sign < 0 { angle::opposite(&own) } else { own };
+        let own = if *sign < 0 {
+            angle::opposite(&own)
+        } else {
+            own
+        };
         Some(angle::sum(&total, &own))
     })
 }
@@ -107,13 +121,18 @@ fn trees(count: usize) -> Vec<Vec<(usize, usize)>> {
     if count > 3 {
         return vec![(1..=count).map(|end| (0, end)).collect()];
     }
-    let all: Vec<(usize, usize)> = (0..=count).flat_map(|a| (a + 1..=count).map(move |b| (a, b))).collect();
+    let all: Vec<(usize, usize)> = (0..=count)
+        .flat_map(|a| (a + 1..=count).map(move |b| (a, b)))
+        .collect();
     let mut found = Vec::new();
     for chosen in 0_u32..1 << all.len() {
         if chosen.count_ones() as usize != count {
             continue;
         }
-        let edges: Vec<_> = (0..all.len()).filter(|bit| chosen >> bit & 1 == 1).map(|bit| all[bit]).collect();
+        let edges: Vec<_> = (0..all.len())
+            .filter(|bit| chosen >> bit & 1 == 1)
+            .map(|bit| all[bit])
+            .collect();
         if (0..count).all(|node| path(&edges, node, node + 1).is_some()) {
             found.push(edges);
         }
@@ -122,7 +141,11 @@ fn trees(count: usize) -> Vec<Vec<(usize, usize)>> {
 }
 
 /// The joint angles of a run in terms of the tree's edges; `None` if a sum has no name.
-fn images(names: &Names, run: &[(usize, i8)], edges: &[(usize, usize)]) -> Option<Vec<(Angle, Turn<Poly>)>> {
+fn images(
+    names: &Names,
+    run: &[(usize, i8)],
+    edges: &[(usize, usize)],
+) -> Option<Vec<(Angle, Turn<Poly>)>> {
     let edge_turn = |&(a, b): &(usize, usize)| -> Option<Turn<Poly>> {
         let sum = &run[a..b];
         let sign = sum.first()?.1;
@@ -131,15 +154,30 @@ fn images(names: &Names, run: &[(usize, i8)], edges: &[(usize, usize)]) -> Optio
             sum => AngleMeaning::Sum(positive(sum)),
         };
         let turn = angle::turn(names.find_angle(&meaning)?);
-        Some(if sign < 0 { angle::opposite(&turn) } else { turn })
+        Some(if sign < 0 {
+            angle::opposite(&turn)
+        } else {
+            turn
+        })
     };
     let image = |(index, (joint, sign)): (usize, &(usize, i8))| {
         let mut total = angle::still();
         for (edge, forward) in path(edges, index, index + 1)? {
             let turn = edge_turn(&edges[edge])?;
-            total = angle::sum(&total, &if forward { turn } else { angle::opposite(&turn) });
+            total = angle::sum(
+                &total,
+                &if forward {
+                    turn
+                } else {
+                    angle::opposite(&turn)
+                },
+            );
         }
-        let total = if *sign < 0 { angle::opposite(&total) } else { total };
+        let total = if *sign < 0 {
+            angle::opposite(&total)
+        } else {
+            total
+        };
         Some((names.find_angle(&AngleMeaning::Joint(*joint))?, total))
     };
     run.iter().enumerate().map(image).collect()
@@ -172,5 +210,6 @@ fn path(edges: &[(usize, usize)], from: usize, to: usize) -> Option<Vec<(usize, 
 
 /// Whether a quantity is the sine or cosine of a sum.
 pub(crate) fn is_sum(names: &Names, var: Var) -> bool {
-    var.angle().is_some_and(|angle| matches!(names.meaning(angle), AngleMeaning::Sum(_)))
+    var.angle()
+        .is_some_and(|angle| matches!(names.meaning(angle), AngleMeaning::Sum(_)))
 }

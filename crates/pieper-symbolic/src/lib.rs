@@ -21,5 +21,13 @@ pub mod arm;
 
 pub mod basis;
 
+pub mod form;
+
+pub mod print;
+
+pub mod jacobian;
+
+pub mod claims;
+
 pub use arm::{Arm, Lengths};
 pub use poly::Poly;

@@ -149,7 +149,10 @@ impl Names {
 
     /// All angles with their meanings.
     pub fn angles(&self) -> impl Iterator<Item = (Angle, &AngleMeaning)> {
-        self.angles.iter().enumerate().map(|(index, meaning)| (Angle(index as u8), meaning))
+        self.angles
+            .iter()
+            .enumerate()
+            .map(|(index, meaning)| (Angle(index as u8), meaning))
     }
 
     /// All symbols with names and meanings.

@@ -34,7 +34,9 @@ pub fn parse(text: &str) -> Option<Rational> {
     if !is_decimal || digits.len() + shift.unsigned_abs() as usize > MAX_DIGITS {
         return None;
     }
-    let digits = digits.bytes().fold(UBig::ZERO, |sum, byte| sum * 10u8 + UBig::from(byte - b'0'));
+    let digits = digits
+        .bytes()
+        .fold(UBig::ZERO, |sum, byte| sum * 10u8 + UBig::from(byte - b'0'));
     let power = UBig::from(10u8).pow(shift.unsigned_abs() as usize);
     let value = if shift < 0 {
         RBig::from_parts(digits.into(), power)
@@ -48,7 +50,10 @@ pub fn parse(text: &str) -> Option<Rational> {
 ///
 /// `None` for NaN and infinities.
 pub fn of_f64(value: f64) -> Option<Rational> {
-    value.is_finite().then(|| parse(&format!("{value:e}"))).flatten()
+    value
+        .is_finite()
+        .then(|| parse(&format!("{value:e}")))
+        .flatten()
 }
 
 /// A small fraction.
@@ -73,7 +78,11 @@ pub fn is_negative(value: &Rational) -> bool {
 
 /// The absolute value.
 pub fn magnitude(value: &Rational) -> Rational {
-    if is_negative(value) { -value.clone() } else { value.clone() }
+    if is_negative(value) {
+        -value.clone()
+    } else {
+        value.clone()
+    }
 }
 
 /// The number as text: a decimal where one is exact and short, a fraction otherwise.

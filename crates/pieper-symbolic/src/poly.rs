@@ -37,7 +37,8 @@ impl Monomial {
     /// The quantities with their exponents, those of exponent zero left out.
     pub fn powers(&self) -> impl Iterator<Item = (Var, u8)> + '_ {
         let all = self.0.iter().enumerate();
-        all.filter(|(_, exponent)| **exponent > 0).map(|(slot, exponent)| (Var(slot as u8), *exponent))
+        all.filter(|(_, exponent)| **exponent > 0)
+            .map(|(slot, exponent)| (Var(slot as u8), *exponent))
     }
 
     /// The sum of the exponents.
@@ -65,7 +66,9 @@ impl Monomial {
 
     /// The product as it comes, squares of sines and roots included; saturated at exponent 255.
     fn times(&self, other: &Self) -> Self {
-        Self(std::array::from_fn(|slot| self.0[slot].saturating_add(other.0[slot])))
+        Self(std::array::from_fn(|slot| {
+            self.0[slot].saturating_add(other.0[slot])
+        }))
     }
 }
 
@@ -131,7 +134,13 @@ impl Poly {
         if coefficient == Rational::ZERO {
             return Self::zero();
         }
-        Self { terms: vec![Term { monomial, coefficient }], swollen: false }
+        Self {
+            terms: vec![Term {
+                monomial,
+                coefficient,
+            }],
+            swollen: false,
+        }
     }
 
     /// A polynomial of reduced terms in any order, some perhaps alike.
@@ -141,21 +150,34 @@ impl Poly {
         let mut merged: Vec<Term> = Vec::with_capacity(terms.len());
         for term in terms {
             match merged.last_mut() {
-                Some(last) if last.monomial == term.monomial => last.coefficient += term.coefficient,
+                Some(last) if last.monomial == term.monomial => {
+                    last.coefficient += term.coefficient
+                }
                 _ => merged.push(term),
             }
         }
         merged.retain(|term| term.coefficient != Rational::ZERO);
-        Self { terms: merged, swollen: false }.bounded()
+        Self {
+            terms: merged,
+            swollen: false,
+        }
+        .bounded()
     }
 
     fn bounded(self) -> Self {
-        if self.terms.len() > MAX_TERMS { Self::too_large() } else { self }
+        if self.terms.len() > MAX_TERMS {
+            Self::too_large()
+        } else {
+            self
+        }
     }
 
     /// What a polynomial is after it grew past all use.
     pub(crate) fn too_large() -> Self {
-        Self { terms: Vec::new(), swollen: true }
+        Self {
+            terms: Vec::new(),
+            swollen: true,
+        }
     }
 
     /// Whether it outgrew [`MAX_TERMS`].
@@ -184,7 +206,9 @@ impl Poly {
 
     /// Whether a quantity occurs.
     pub fn contains(&self, var: Var) -> bool {
-        self.terms.iter().any(|term| term.monomial.exponent(var) > 0)
+        self.terms
+            .iter()
+            .any(|term| term.monomial.exponent(var) > 0)
     }
 
     /// Whether the sine or cosine of an angle occurs.
@@ -195,7 +219,10 @@ impl Poly {
     /// Every quantity that occurs, in order.
     pub fn vars(&self) -> Vec<Var> {
         let occurs = |slot: &usize| self.terms.iter().any(|term| term.monomial.0[*slot] > 0);
-        (0..SLOTS).filter(occurs).map(|slot| Var(slot as u8)).collect()
+        (0..SLOTS)
+            .filter(occurs)
+            .map(|slot| Var(slot as u8))
+            .collect()
     }
 
     /// The greatest monomial that divides every term.
@@ -207,7 +234,10 @@ impl Poly {
 
     /// The coefficient of `var^exponent`, a polynomial in the other quantities.
     pub fn coefficient_of(&self, var: Var, exponent: u8) -> Self {
-        let with = self.terms.iter().filter(|term| term.monomial.exponent(var) == exponent);
+        let with = self
+            .terms
+            .iter()
+            .filter(|term| term.monomial.exponent(var) == exponent);
         Self::from_terms(with.map(|term| Term {
             monomial: term.monomial.with_exponent(var, 0),
             coefficient: term.coefficient.clone(),
@@ -216,13 +246,30 @@ impl Poly {
 
     /// The terms for which `keep` holds, and the others.
     pub fn split(&self, keep: impl Fn(&Monomial) -> bool) -> (Self, Self) {
-        let (kept, rest) = self.terms.iter().cloned().partition(|term| keep(&term.monomial));
-        (Self { terms: kept, swollen: self.swollen }, Self { terms: rest, swollen: self.swollen })
+        let (kept, rest) = self
+            .terms
+            .iter()
+            .cloned()
+            .partition(|term| keep(&term.monomial));
+        (
+            Self {
+                terms: kept,
+                swollen: self.swollen,
+            },
+            Self {
+                terms: rest,
+                swollen: self.swollen,
+            },
+        )
     }
 
     /// The largest exponent of a quantity.
     pub fn degree_in(&self, var: Var) -> u8 {
-        self.terms.iter().map(|term| term.monomial.exponent(var)).max().unwrap_or(0)
+        self.terms
+            .iter()
+            .map(|term| term.monomial.exponent(var))
+            .max()
+            .unwrap_or(0)
     }
 
     /// `self * factor`
@@ -231,18 +278,30 @@ impl Poly {
         if *factor == Rational::ZERO && !self.swollen {
             return Self::zero();
         }
-        let scale = |term: &Term| Term { monomial: term.monomial, coefficient: &term.coefficient * factor };
-        Self { terms: self.terms.iter().map(scale).collect(), swollen: self.swollen }
+        let scale = |term: &Term| Term {
+            monomial: term.monomial,
+            coefficient: &term.coefficient * factor,
+        };
+        Self {
+            terms: self.terms.iter().map(scale).collect(),
+            swollen: self.swollen,
+        }
     }
 
     /// `self / monomial`, if it divides every term.
     pub fn divided(&self, monomial: &Monomial) -> Option<Self> {
         let divide = |term: &Term| {
             let monomial = term.monomial.divided(monomial)?;
-            Some(Term { monomial, coefficient: term.coefficient.clone() })
+            Some(Term {
+                monomial,
+                coefficient: term.coefficient.clone(),
+            })
         };
         let terms = self.terms.iter().map(divide).collect::<Option<Vec<_>>>()?;
-        Some(Self { terms, swollen: self.swollen })
+        Some(Self {
+            terms,
+            swollen: self.swollen,
+        })
     }
 
     /// `self^exponent`
@@ -253,8 +312,11 @@ impl Poly {
 
     /// The polynomial with each quantity for which `image` has one replaced, all at once.
     pub fn substitute(&self, image: impl Fn(Var) -> Option<Poly>) -> Self {
-        let images: Vec<(Var, Poly)> =
-            self.vars().into_iter().filter_map(|var| image(var).map(|image| (var, image))).collect();
+        let images: Vec<(Var, Poly)> = self
+            .vars()
+            .into_iter()
+            .filter_map(|var| image(var).map(|image| (var, image)))
+            .collect();
         if images.is_empty() || self.swollen {
             return self.clone();
         }
@@ -288,7 +350,10 @@ impl Poly {
     /// The derivative by one quantity, the others held.
     #[must_use]
     pub fn derivative(&self, var: Var) -> Self {
-        let with = self.terms.iter().filter(|term| term.monomial.exponent(var) > 0);
+        let with = self
+            .terms
+            .iter()
+            .filter(|term| term.monomial.exponent(var) > 0);
         let terms = with.map(|term| {
             let exponent = term.monomial.exponent(var);
             Term {
@@ -296,7 +361,10 @@ impl Poly {
                 coefficient: &term.coefficient * number::whole(i64::from(exponent)),
             }
         });
-        Self { swollen: self.swollen, ..Self::from_terms(terms) }
+        Self {
+            swollen: self.swollen,
+            ..Self::from_terms(terms)
+        }
     }
 
     /// The value on any scalar of the library; `value` gives each quantity's, `like` is any scalar of the kind.
@@ -314,9 +382,12 @@ impl Poly {
         let zero = like.constant(if self.swollen { f64::NAN } else { 0.0 });
         self.terms.iter().fold(zero, |sum, term| {
             let start = like.constant(number::to_f64(&term.coefficient));
-            let product = term.monomial.powers().fold(start, |product, (var, exponent)| {
-                (0..exponent).fold(product, |product, _| product * value(var))
-            });
+            let product = term
+                .monomial
+                .powers()
+                .fold(start, |product, (var, exponent)| {
+                    (0..exponent).fold(product, |product, _| product * value(var))
+                });
             sum + product
         })
     }
@@ -331,15 +402,24 @@ fn push_product(monomial: Monomial, mut coefficient: Rational, out: &mut Vec<Ter
             return push_product(monomial.with_exponent(root, exponent), coefficient, out);
         }
     }
-    let squared = (0..MAX_ANGLES).map(|index| Angle(index as u8)).find(|angle| monomial.exponent(angle.sin()) > 1);
+    let squared = (0..MAX_ANGLES)
+        .map(|index| Angle(index as u8))
+        .find(|angle| monomial.exponent(angle.sin()) > 1);
     let Some(angle) = squared else {
-        out.push(Term { monomial, coefficient });
+        out.push(Term {
+            monomial,
+            coefficient,
+        });
         return;
     };
     let rest = monomial.with_exponent(angle.sin(), monomial.exponent(angle.sin()) - 2);
     let cosines = rest.exponent(angle.cos());
     push_product(rest, coefficient.clone(), out);
-    push_product(rest.with_exponent(angle.cos(), cosines.saturating_add(2)), -coefficient, out);
+    push_product(
+        rest.with_exponent(angle.cos(), cosines.saturating_add(2)),
+        -coefficient,
+        out,
+    );
 }
 
 impl Mul for &Poly {
@@ -356,7 +436,11 @@ impl Mul for &Poly {
         let mut out = Vec::with_capacity(self.terms.len() * other.terms.len());
         for a in &self.terms {
             for b in &other.terms {
-                push_product(a.monomial.times(&b.monomial), &a.coefficient * &b.coefficient, &mut out);
+                push_product(
+                    a.monomial.times(&b.monomial),
+                    &a.coefficient * &b.coefficient,
+                    &mut out,
+                );
             }
         }
         Poly::from_terms(out)
@@ -371,7 +455,10 @@ impl Add for Poly {
             return Self::too_large();
         }
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
-        let (mut left, mut right) = (self.terms.into_iter().peekable(), other.terms.into_iter().peekable());
+        let (mut left, mut right) = (
+            self.terms.into_iter().peekable(),
+            other.terms.into_iter().peekable(),
+        );
         loop {
             let order = match (left.peek(), right.peek()) {
                 (Some(a), Some(b)) => a.monomial.cmp(&b.monomial),
@@ -390,7 +477,11 @@ impl Add for Poly {
                 }
             }
         }
-        Self { terms, swollen: false }.bounded()
+        Self {
+            terms,
+            swollen: false,
+        }
+        .bounded()
     }
 }
 

@@ -34,12 +34,18 @@ const MAX_MULTIPLE: i64 = 12;
 
 impl Entries<'_> {
     fn too_many(what: &str) -> Error {
-        Error::model("table", format!("it has more {what} than formulas have room for"))
+        Error::model(
+            "table",
+            format!("it has more {what} than formulas have room for"),
+        )
     }
 
     /// The value a parameter is replaced by, if it is.
     fn value_of(&self, name: &str) -> Option<Expr> {
-        let known = self.parameters.iter().find(|parameter| parameter.name == name);
+        let known = self
+            .parameters
+            .iter()
+            .find(|parameter| parameter.name == name);
         let value = known.and_then(|parameter| parameter.value.clone());
         value.filter(|_| self.lengths == Lengths::Numbers)
     }
@@ -58,10 +64,16 @@ impl Entries<'_> {
         let known = self.names.symbols().find_map(|(var, _, meaning)| {
             (*meaning == SymbolMeaning::Formula(text.clone())).then_some(var)
         });
-        let count = self.names.symbols().filter(|(.., m)| matches!(m, SymbolMeaning::Formula(_))).count();
+        let count = self
+            .names
+            .symbols()
+            .filter(|(.., m)| matches!(m, SymbolMeaning::Formula(_)))
+            .count();
         let var = match known {
             Some(var) => Some(var),
-            None => self.names.symbol(&format!("k{}", count + 1), SymbolMeaning::Formula(text)),
+            None => self
+                .names
+                .symbol(&format!("k{}", count + 1), SymbolMeaning::Formula(text)),
         };
         var.map(Poly::var).ok_or_else(|| Self::too_many("symbols"))
     }
@@ -69,7 +81,10 @@ impl Entries<'_> {
     /// The entry as a polynomial in numbers and parameters; `None` if it is none.
     fn polynomial(&mut self, expr: &Expr, depth: usize) -> Result<Option<Poly>> {
         if depth > MAX_DEPTH {
-            return Err(Error::model(format!("\"{expr}\""), "its parameters lead in a circle"));
+            return Err(Error::model(
+                format!("\"{expr}\""),
+                "its parameters lead in a circle",
+            ));
         }
         Ok(match expr {
             Expr::Number(value, unit) => {
@@ -93,7 +108,9 @@ impl Entries<'_> {
             Expr::Binary(operator, left, right) => {
                 let left = self.polynomial(left, depth + 1)?;
                 let right = self.polynomial(right, depth + 1)?;
-                let (Some(left), Some(right)) = (left, right) else { return Ok(None) };
+                let (Some(left), Some(right)) = (left, right) else {
+                    return Ok(None);
+                };
                 combine(*operator, &left, &right)
             }
         })
@@ -144,14 +161,22 @@ impl Entries<'_> {
     fn named_constant(&mut self, text: String, value: f64) -> Result<Turn<Poly>> {
         let angle = self.names.angle(AngleMeaning::Constant(text, value.abs()));
         let turn = angle::turn(angle.ok_or_else(|| Self::too_many("angles"))?);
-        Ok(if value < 0.0 { angle::opposite(&turn) } else { turn })
+        Ok(if value < 0.0 {
+            angle::opposite(&turn)
+        } else {
+            turn
+        })
     }
 
     /// An angle that is no sum of multiples of pi, numbers and named angles: a constant of its value.
     fn opaque_angle(&mut self, expr: &Expr) -> Result<Turn<Poly>> {
         let mut values = pieper::describe::expr::Values::new();
         for parameter in self.parameters {
-            if let Some(Ok(value)) = parameter.value.as_ref().map(|value| value.evaluate(&values)) {
+            if let Some(Ok(value)) = parameter
+                .value
+                .as_ref()
+                .map(|value| value.evaluate(&values))
+            {
                 values.insert(parameter.name.clone(), value);
             }
         }
@@ -160,23 +185,39 @@ impl Entries<'_> {
     }
 
     /// Adds `factor * expr` to the sum; false if it does not fit into one.
-    fn collect(&self, expr: &Expr, factor: &Rational, sum: &mut AngleSum, depth: usize) -> Result<bool> {
+    fn collect(
+        &self,
+        expr: &Expr,
+        factor: &Rational,
+        sum: &mut AngleSum,
+        depth: usize,
+    ) -> Result<bool> {
         if depth > MAX_DEPTH {
-            return Err(Error::model(format!("\"{expr}\""), "its parameters lead in a circle"));
+            return Err(Error::model(
+                format!("\"{expr}\""),
+                "its parameters lead in a circle",
+            ));
         }
         match expr {
             Expr::Number(value, Unit::Degree) => {
-                let Some(degrees) = number::of_f64(*value) else { return Ok(false) };
+                let Some(degrees) = number::of_f64(*value) else {
+                    return Ok(false);
+                };
                 sum.half_turns += degrees * factor * number::ratio(1, 180);
             }
-            Expr::Number(value, Unit::None | Unit::Radian) => sum.radians += value * number::to_f64(factor),
+            Expr::Number(value, Unit::None | Unit::Radian) => {
+                sum.radians += value * number::to_f64(factor)
+            }
             Expr::Number(..) | Expr::Call(..) => return Ok(false),
             Expr::Pi => sum.half_turns += factor,
             Expr::Symbol(name) => match self.value_of(name) {
                 Some(value) => return self.collect(&value, factor, sum, depth + 1),
                 None => {
                     let count = factor.clone();
-                    let Some(count) = count.is_int().then(|| i64::try_from(count.numerator().clone()).ok()).flatten()
+                    let Some(count) = count
+                        .is_int()
+                        .then(|| i64::try_from(count.numerator().clone()).ok())
+                        .flatten()
                     else {
                         return Ok(false);
                     };
@@ -199,14 +240,18 @@ impl Entries<'_> {
                     && self.collect(right, &-factor.clone(), sum, depth + 1)?);
             }
             Expr::Binary(Operator::Mul, left, right) => match (pure(left), pure(right)) {
-                (Some(number), _) => return self.collect(right, &(number * factor), sum, depth + 1),
+                (Some(number), _) => {
+                    return self.collect(right, &(number * factor), sum, depth + 1);
+                }
                 (_, Some(number)) => return self.collect(left, &(number * factor), sum, depth + 1),
                 _ => return Ok(false),
             },
-            Expr::Binary(Operator::Div, left, right) => match pure(right).filter(|n| *n != Rational::ZERO) {
-                Some(number) => return self.collect(left, &(factor / number), sum, depth + 1),
-                None => return Ok(false),
-            },
+            Expr::Binary(Operator::Div, left, right) => {
+                match pure(right).filter(|n| *n != Rational::ZERO) {
+                    Some(number) => return self.collect(left, &(factor / number), sum, depth + 1),
+                    None => return Ok(false),
+                }
+            }
             Expr::Binary(Operator::Pow, ..) => return Ok(false),
         }
         Ok(true)
@@ -236,9 +281,10 @@ fn combine(operator: Operator, left: &Poly, right: &Poly) -> Option<Poly> {
         }
         Operator::Pow => {
             let exponent = right.constant().filter(Rational::is_int)?;
-            let exponent = u32::try_from(exponent.numerator().clone()).ok().filter(|e| *e <= 8)?;
+            let exponent = u32::try_from(exponent.numerator().clone())
+                .ok()
+                .filter(|e| *e <= 8)?;
             left.power(exponent)
         }
     })
 }
-

@@ -13,8 +13,21 @@ pub(crate) type PolyFrame = Frame<[Poly; 3]>;
 
 /// The frame that the identity is.
 pub(crate) fn identity_frame() -> PolyFrame {
-    let unit = |axis: usize| std::array::from_fn(|row| if row == axis { Poly::one() } else { Poly::zero() });
-    Frame { x: unit(0), y: unit(1), z: unit(2), p: std::array::from_fn(|_| Poly::zero()) }
+    let unit = |axis: usize| {
+        std::array::from_fn(|row| {
+            if row == axis {
+                Poly::one()
+            } else {
+                Poly::zero()
+            }
+        })
+    };
+    Frame {
+        x: unit(0),
+        y: unit(1),
+        z: unit(2),
+        p: std::array::from_fn(|_| Poly::zero()),
+    }
 }
 
 impl Transform {
@@ -25,12 +38,19 @@ impl Transform {
 
     pub(crate) fn of_frame(frame: &PolyFrame) -> Self {
         let columns = [&frame.x, &frame.y, &frame.z, &frame.p];
-        Self(std::array::from_fn(|row| columns.map(|column| column[row].clone())))
+        Self(std::array::from_fn(|row| {
+            columns.map(|column| column[row].clone())
+        }))
     }
 
     pub(crate) fn frame(&self) -> PolyFrame {
         let column = |j: usize| std::array::from_fn(|row: usize| self.0[row][j].clone());
-        Frame { x: column(0), y: column(1), z: column(2), p: column(3) }
+        Frame {
+            x: column(0),
+            y: column(1),
+            z: column(2),
+            p: column(3),
+        }
     }
 
     /// The entry in row and column, counted from 0; the last row is `0 0 0 1`.

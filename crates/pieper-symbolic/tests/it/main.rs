@@ -3,4 +3,5 @@
 // Tests may unwrap, and so may their helper functions, which clippy.toml's exception does not reach.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod claims;
 mod numbers;

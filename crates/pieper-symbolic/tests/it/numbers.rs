@@ -6,9 +6,16 @@ use pieper_symbolic::{Arm, Lengths};
 
 /// A built-in robot with values for its symbols.
 pub(crate) fn with_numbers(robot: &Robot) -> Robot {
-    let missing: Vec<String> = robot.missing_parameters().iter().map(|name| (*name).to_owned()).collect();
+    let missing: Vec<String> = robot
+        .missing_parameters()
+        .iter()
+        .map(|name| (*name).to_owned())
+        .collect();
     let values = missing.iter().enumerate().map(|(index, name)| {
-        (name.as_str(), pieper::describe::Expr::number(0.25 + 0.125 * index as f64))
+        (
+            name.as_str(),
+            pieper::describe::Expr::number(0.25 + 0.125 * index as f64),
+        )
     });
     robot.with_parameters(values).unwrap()
 }
@@ -22,12 +29,20 @@ fn check(id: &str, lengths: Lengths) {
     let mut random = fastrand::Rng::with_seed(7);
     for _ in 0..20 {
         let q: Vec<f64> = (0..arm.dof()).map(|_| 6.0 * random.f64() - 3.0).collect();
-        let expected = pieper::kinematics::tool_pose(&chain, &q).unwrap().to_homogeneous();
+        let expected = pieper::kinematics::tool_pose(&chain, &q)
+            .unwrap()
+            .to_homogeneous();
         for row in 0..3 {
             for column in 0..4 {
                 let entry = &pose.0[row][column];
-                for form in [entry.clone(), cumulative.rewrite(entry), basis::shortest(&arm, entry)] {
-                    let value = form.evaluate(&0.0, |var| arm.value_at(var, &q, &|name| arm.parameter(name)));
+                for form in [
+                    entry.clone(),
+                    cumulative.rewrite(entry),
+                    basis::shortest(&arm, entry),
+                ] {
+                    let value = form.evaluate(&0.0, |var| {
+                        arm.value_at(var, &q, &|name| arm.parameter(name))
+                    });
                     let off = (value - expected[(row, column)]).abs();
                     assert!(off < 1e-13, "{id} t{}{}: off by {off}", row + 1, column + 1);
                 }

@@ -2,6 +2,7 @@
 
 mod check;
 mod convert;
+mod derive;
 mod fk;
 mod ik;
 mod info;
@@ -25,6 +26,8 @@ pub(crate) enum Command {
     Run(run::Arguments),
     /// Write a robot in another description: table, screws or URDF
     Convert(convert::Arguments),
+    /// Derive the formulas: the step sheet of an arm
+    Derive(derive::Arguments),
     /// Check printed formulas against an arm
     Check(check::Arguments),
     /// Inverse kinematics: a pose in, every solution out
@@ -40,6 +43,7 @@ impl Command {
             Self::Fk(arguments) => arguments.run(),
             Self::Run(arguments) => arguments.run(),
             Self::Convert(arguments) => arguments.run(),
+            Self::Derive(arguments) => arguments.run(),
             Self::Check(arguments) => arguments.run(),
             Self::Ik(arguments) => arguments.run(),
         }

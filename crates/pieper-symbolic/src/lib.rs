@@ -27,6 +27,12 @@ pub mod print;
 
 pub mod jacobian;
 
+pub mod determinant;
+
+pub mod sheet;
+
+pub mod derive;
+
 pub mod claims;
 
 pub use arm::{Arm, Lengths};

@@ -11,7 +11,7 @@ pub struct Var(pub(crate) u8);
 /// Angles a polynomial can have.
 pub const MAX_ANGLES: usize = 24;
 /// Symbols a polynomial can have.
-pub const MAX_SYMBOLS: usize = 46;
+pub const MAX_SYMBOLS: usize = 78;
 /// Quantities a polynomial can have.
 pub(crate) const SLOTS: usize = 2 * MAX_ANGLES + 2 + MAX_SYMBOLS;
 

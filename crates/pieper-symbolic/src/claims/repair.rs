@@ -103,7 +103,7 @@ fn edit(side: &Expr, fixed: Expr, path: &[usize], what: String) -> Edit {
     }
     let too_long = |length: usize| {
         side.at(&path[..length])
-            .is_some_and(|part| part.text().len() > 60)
+            .is_some_and(|part| part.text().len() > 40)
     };
     while shown < path.len() && too_long(shown) {
         shown += 1;

@@ -73,7 +73,11 @@ fn claims_of_every_kind() {
         "",
     );
     one("ar3", "n_z^2 + s_z^2 + a_z^2 = 1", "");
-    one("ar3", "t32 = s23*c5 - c24*c4*s5", "s23*c5 - c24*c4*s5 -> s23*c5 - c23*c4*s5");
+    one(
+        "ar3",
+        "t32 = s23*c5 - c24*c4*s5",
+        "s23*c5 - c24*c4*s5 -> s23*c5 - c23*c4*s5",
+    );
     one(
         "ar3",
         "z_c = S1 + l2*s2 + (l4 + l6*c5)*s23 - l4*c23*c4*s5",

@@ -7,6 +7,7 @@ use crate::arm::Arm;
 use crate::basis::{self, Basis};
 use crate::determinant::{Determinant, determinant};
 use crate::form::{self, Form};
+use crate::inverse;
 use crate::jacobian;
 use crate::names::{AngleMeaning, SymbolMeaning, VarKind};
 use crate::number;
@@ -54,8 +55,14 @@ pub fn sheet(arm: &Arm, scope: Scope) -> Result<Sheet> {
             "forward kinematics"
         }
         Scope::Inverse => {
+            let inverse = inverse::derive(arm)?;
             writer.table();
-            "inverse kinematics"
+            let blocks = [writer.blocks, inverse::write(&inverse)].concat();
+            return Ok(Sheet {
+                title: format!("{}: inverse kinematics", arm.title),
+                names: inverse.names,
+                blocks,
+            });
         }
     };
     let blocks = writer.blocks;

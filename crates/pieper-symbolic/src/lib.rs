@@ -31,6 +31,8 @@ pub mod determinant;
 
 pub mod sheet;
 
+pub mod inverse;
+
 pub mod derive;
 
 pub mod claims;

@@ -73,6 +73,10 @@ trait Notation {
                 }
                 out
             }
+            // Nothing in front: both signs of b.
+            Form::PlusMinus(a, b) if matches!(&**a, Form::Sum(terms) if terms.is_empty()) => {
+                format!("{}{}", plus_minus.trim(), self.inside(b, 2))
+            }
             Form::PlusMinus(a, b) => {
                 format!("{}{plus_minus}{}", self.inside(a, 0), self.inside(b, 1))
             }

@@ -1,0 +1,610 @@
+//! The search for equations with one unknown.
+
+use pieper::{Error, Result};
+
+use super::{Defined, Inverse, Rule, Source, Step, without_base_and_tool};
+use crate::arm::Arm;
+use crate::basis;
+use crate::names::{Names, SymbolMeaning, Var};
+use crate::number;
+use crate::poly::Poly;
+use crate::transform::Transform;
+
+struct Search<'a> {
+    arm: &'a Arm,
+    names: Names,
+    /// The known matrix that equals the product of the rows `first..end`.
+    known: Transform,
+    first: usize,
+    end: usize,
+    solved: Vec<bool>,
+    steps: Vec<Step>,
+    level: usize,
+    /// The position column of the known matrix times the inverse of the last row left, in symbols of its own.
+    point: Option<[Poly; 3]>,
+    /// One joint vector with a value for every symbol: an equation that says nothing there says nothing anywhere.
+    probe: Probe,
+}
+
+struct Probe {
+    q: Vec<f64>,
+    values: Vec<(Var, f64)>,
+}
+
+/// A way to find one joint, with how much it is liked: less is better.
+struct Candidate {
+    cost: (u8, usize, usize),
+    joint: usize,
+    rule: Rule,
+    source: Source,
+}
+
+/// An equation `poly = 0`.
+struct Equation {
+    poly: Poly,
+    source: Source,
+}
+
+const LEVELS: [&str; 8] = ["u", "v", "w", "m", "g", "h", "y", "z"];
+
+pub(super) fn run(arm: &Arm) -> Result<Inverse> {
+    let mut names = arm.names.clone();
+    let full = || {
+        Error::model(
+            arm.title.clone(),
+            "it has more symbols than formulas have room for",
+        )
+    };
+    let mut target = [[Var::ROOT2; 4]; 3];
+    for (row, axis) in ["x", "y", "z"].iter().enumerate() {
+        for (column, vector) in ["n", "s", "a", "p"].iter().enumerate() {
+            let name = format!("{vector}_{axis}");
+            if names.find_symbol(&name).is_some() {
+                return Err(Error::model(
+                    name,
+                    "a table's symbol has the name of an entry of the target",
+                ));
+            }
+            target[row][column] = names
+                .symbol(&name, SymbolMeaning::Auxiliary)
+                .ok_or_else(full)?;
+        }
+    }
+    let given = Transform(target.map(|row| row.map(Poly::var)));
+    let probe = Probe::new(arm, &names, &target)?;
+    let mut search = Search {
+        arm,
+        names,
+        known: given.clone(),
+        first: 0,
+        end: arm.dof(),
+        solved: vec![false; arm.dof()],
+        steps: Vec::new(),
+        level: 0,
+        point: None,
+        probe,
+    };
+    if arm.base.is_some() || arm.tool.is_some() {
+        search.known = without_base_and_tool(arm, &given);
+        search.define()?;
+    } else {
+        search.define_point("w")?;
+    }
+    while search.solved.contains(&false) {
+        let Some(best) = search.best() else {
+            return Err(search.stuck());
+        };
+        search.solved[best.joint] = true;
+        search.steps.push(Step::Joint {
+            joint: best.joint,
+            rule: best.rule,
+            source: best.source,
+        });
+        search.peel()?;
+    }
+    let mut inverse = Inverse {
+        arm: arm.clone(),
+        names: search.names,
+        target,
+        steps: search.steps,
+    };
+    drop_unused(&mut inverse.steps);
+    Ok(inverse)
+}
+
+impl Search<'_> {
+    fn stuck(&self) -> Error {
+        let left: Vec<String> = (0..self.solved.len())
+            .filter(|&joint| !self.solved[joint])
+            .map(|joint| format!("q{}", joint + 1))
+            .collect();
+        let text = format!(
+            "no equation with a single unknown is left for {}: the arm has no closed form of this kind; `pieper ik` solves \
+             it all the same, by elimination or by one unknown",
+            left.join(", ")
+        );
+        Error::model(self.arm.title.clone(), text)
+    }
+
+    /// The joint variables in a polynomial that are not solved yet.
+    fn unknowns(&self, poly: &Poly) -> Vec<usize> {
+        let mut joints: Vec<usize> = poly
+            .vars()
+            .into_iter()
+            .filter_map(|var| self.names.joint_of(var))
+            .collect();
+        joints.retain(|&joint| !self.solved[joint]);
+        joints.dedup();
+        joints.sort_unstable();
+        joints.dedup();
+        joints
+    }
+
+    /// Takes solved rows at the ends over to the known side.
+    fn peel(&mut self) -> Result<()> {
+        let (first, end) = (self.first, self.end);
+        while self.first < self.end && self.solved[self.first] {
+            self.first += 1;
+        }
+        while self.first < self.end && self.solved[self.end - 1] {
+            self.end -= 1;
+        }
+        if self.first == self.end || (first, end) == (self.first, self.end) {
+            return Ok(());
+        }
+        let left = self.arm.product(first, self.first).inverse();
+        let right = self.arm.product(self.end, end).inverse();
+        self.known = left.times(&self.known).times(&right);
+        let sums = basis::cumulative(self.arm);
+        self.known = self.known.map(|entry| {
+            let short = sums.rewrite(entry);
+            if short.terms().len() < entry.terms().len() {
+                short
+            } else {
+                entry.clone()
+            }
+        });
+        self.define()
+    }
+
+    /// Gives the entries of the known matrix names of their own, where they are more than one quantity.
+    fn define(&mut self) -> Result<()> {
+        let letter = LEVELS
+            .iter()
+            .skip(self.level)
+            .find(|letter| self.names.find_symbol(&format!("{letter}11")).is_none());
+        let Some(letter) = letter else {
+            return Err(self.stuck());
+        };
+        self.level += 1;
+        let mut quantities = Vec::new();
+        let mut known = self.known.clone();
+        for row in 0..3 {
+            for column in 0..4 {
+                let entry = &mut known.0[row][column];
+                let is_simple = entry.constant().is_some()
+                    || matches!(entry.terms(), [term] if term.monomial.degree() == 1
+                        && number::magnitude(&term.coefficient) == number::whole(1));
+                if is_simple {
+                    continue;
+                }
+                let name = format!("{letter}{}{}", row + 1, column + 1);
+                let Some(var) = self.names.symbol(&name, SymbolMeaning::Auxiliary) else {
+                    return Err(self.stuck());
+                };
+                quantities.push((var, std::mem::replace(entry, Poly::var(var))));
+            }
+        }
+        self.known = known;
+        if !quantities.is_empty() {
+            self.probe.learn(self.arm, &quantities);
+            let what = Defined::Known {
+                first: self.first,
+                end: self.end,
+            };
+            self.steps.push(Step::Define { what, quantities });
+        }
+        self.define_point(letter)
+    }
+
+    /// Names the wrist centre, where the last row does not move it.
+    fn define_point(&mut self, letter: &str) -> Result<()> {
+        self.point = None;
+        if self.end - self.first < 2 {
+            return Ok(());
+        }
+        let known = self.known.times(&self.arm.link(self.end - 1).inverse());
+        let mut point = [0, 1, 2].map(|row| known.0[row][3].clone());
+        if point.iter().any(|entry| !self.unknowns(entry).is_empty()) {
+            return Ok(());
+        }
+        let mut quantities = Vec::new();
+        for (entry, axis) in point.iter_mut().zip(["x", "y", "z"]) {
+            if entry.terms().len() < 2 {
+                continue;
+            }
+            let name = format!("{letter}_{axis}");
+            let Some(var) = self.names.symbol(&name, SymbolMeaning::Auxiliary) else {
+                return Err(self.stuck());
+            };
+            quantities.push((var, std::mem::replace(entry, Poly::var(var))));
+        }
+        self.point = Some(point);
+        if !quantities.is_empty() {
+            self.probe.learn(self.arm, &quantities);
+            let what = Defined::Point {
+                first: self.first,
+                end: self.end,
+            };
+            self.steps.push(Step::Define { what, quantities });
+        }
+        Ok(())
+    }
+
+    /// The equations at hand: the known matrix against the rows left, with the outer rows on either side.
+    fn equations(&self) -> Vec<(Source, Transform, Transform)> {
+        let (first, end) = (self.first, self.end);
+        let mut found = Vec::new();
+        for (left, right) in [(false, false), (true, false), (false, true), (true, true)] {
+            let rows = (
+                first + usize::from(left),
+                end.saturating_sub(usize::from(right)),
+            );
+            if rows.0 > rows.1 || (left && right && end - first < 2) {
+                continue;
+            }
+            let mut known = self.known.clone();
+            if right {
+                known = known.times(&self.arm.link(end - 1).inverse());
+                if let Some(point) = &self.point {
+                    known
+                        .0
+                        .iter_mut()
+                        .zip(point)
+                        .for_each(|(row, entry)| row[3] = entry.clone());
+                }
+            }
+            if left {
+                known = self.arm.link(first).inverse().times(&known);
+            }
+            let source = Source {
+                moved: (left, right),
+                rows,
+                entries: Vec::new(),
+                squares: false,
+            };
+            found.push((source, known, self.arm.product(rows.0, rows.1)));
+        }
+        found
+    }
+
+    fn best(&self) -> Option<Candidate> {
+        let mut singles: Vec<(usize, Equation)> = Vec::new();
+        for (source, known, product) in self.equations() {
+            for row in 0..3 {
+                for column in 0..4 {
+                    let poly = &known.0[row][column] - &product.0[row][column];
+                    if let [joint] = self.unknowns(&poly)[..] {
+                        let source = Source {
+                            entries: vec![(row, column)],
+                            ..source.clone()
+                        };
+                        singles.push((joint, Equation { poly, source }));
+                    }
+                }
+            }
+            for rows in [&[0, 1][..], &[0, 2], &[1, 2], &[0, 1, 2]] {
+                if let Some(poly) = self.squares(&known, &product, rows)
+                    && let [joint] = self.unknowns(&poly)[..]
+                {
+                    let entries = rows.iter().map(|&row| (row, 3)).collect();
+                    singles.push((
+                        joint,
+                        Equation {
+                            poly,
+                            source: Source {
+                                entries,
+                                squares: true,
+                                ..source.clone()
+                            },
+                        },
+                    ));
+                }
+            }
+        }
+        let mut candidates: Vec<Candidate> = Vec::new();
+        for (joint, equation) in &singles {
+            candidates.extend(self.alone(*joint, equation));
+        }
+        for (index, (joint, first)) in singles.iter().enumerate() {
+            for (_, second) in singles[..index].iter().filter(|(other, _)| other == joint) {
+                candidates.extend(self.pair(*joint, second, first));
+            }
+        }
+        candidates.retain(|candidate| self.probe.tells(self.arm, candidate));
+        candidates
+            .into_iter()
+            .min_by_key(|candidate| candidate.cost)
+    }
+
+    /// The sum of squares of a position's coordinates: known minus unknown parts, one of the unknowns may go.
+    fn squares(&self, known: &Transform, product: &Transform, rows: &[usize]) -> Option<Poly> {
+        let mut total = Poly::zero();
+        for &row in rows {
+            let left = &known.0[row][3];
+            if !self.unknowns(left).is_empty() {
+                return None;
+            }
+            let (unknown, constant) = product.0[row][3].split(|monomial| {
+                monomial.powers().any(|(var, _)| {
+                    self.names
+                        .joint_of(var)
+                        .is_some_and(|joint| !self.solved[joint])
+                })
+            });
+            if unknown.is_zero() {
+                return None;
+            }
+            let known = left - &constant;
+            total = total + &known * &known - &unknown * &unknown;
+        }
+        Some(total)
+    }
+
+    /// `a cos q + b sin q - k`, if the equation has that form.
+    fn linear(&self, joint: usize, poly: &Poly) -> Option<[Poly; 3]> {
+        let angle = self.arm.joint_angle(joint)?;
+        let (a, b) = (poly.derivative(angle.cos()), poly.derivative(angle.sin()));
+        if a.contains_angle(angle) || b.contains_angle(angle) {
+            return None;
+        }
+        let rest = poly.clone() - &a * &Poly::var(angle.cos()) - &b * &Poly::var(angle.sin());
+        Some([a, b, -rest])
+    }
+
+    fn alone(&self, joint: usize, equation: &Equation) -> Option<Candidate> {
+        let source = equation.source.clone();
+        let size = equation.poly.terms().len();
+        if !self.arm.rows[joint].turns {
+            let var = self.names.find_symbol(&format!("q{}", joint + 1))?;
+            let coefficients = [0, 1, 2].map(|power| equation.poly.coefficient_of(var, power));
+            return match equation.poly.degree_in(var) {
+                1 => {
+                    let [constant, below, _] = coefficients;
+                    let sure = u8::from(below.constant().is_none());
+                    Some(Candidate {
+                        cost: (sure, size, joint),
+                        joint,
+                        rule: Rule::Slide {
+                            above: -constant,
+                            below,
+                        },
+                        source,
+                    })
+                }
+                2 => Some(Candidate {
+                    cost: (7, size, joint),
+                    joint,
+                    rule: Rule::Square { coefficients },
+                    source,
+                }),
+                _ => None,
+            };
+        }
+        let [a, b, k] = self.linear(joint, &equation.poly)?;
+        let scale = a
+            .constant()
+            .filter(|value| b.is_zero() && number::magnitude(value) == number::whole(1));
+        // A factor of the unknown starts with a plus.
+        let leading = if a.is_zero() { &b } else { &a };
+        let negative = leading
+            .terms()
+            .first()
+            .is_some_and(|term| number::is_negative(&term.coefficient));
+        let sign = number::whole(if negative { -1 } else { 1 });
+        let (a, b, k) = (a.scaled(&sign), b.scaled(&sign), k.scaled(&sign));
+        let sine_square = if scale.is_some() {
+            self.complement(&equation.source, &k)
+        } else {
+            None
+        };
+        let kind = match (equation.source.squares, sine_square.is_some()) {
+            (false, true) => 4,
+            (false, false) => 5,
+            (true, _) => 6,
+        };
+        Some(Candidate {
+            cost: (kind, size, joint),
+            joint,
+            rule: Rule::Two {
+                a,
+                b,
+                k,
+                sine_square,
+            },
+            source,
+        })
+    }
+
+    /// For an entry of a rotation that is a cosine: the squares of the other entries of its column, or else of its row.
+    fn complement(&self, source: &Source, cosine: &Poly) -> Option<Poly> {
+        let &[(row, column)] = &source.entries[..] else {
+            return None;
+        };
+        let (_, known, _) = self
+            .equations()
+            .into_iter()
+            .find(|(other, ..)| other.moved == source.moved)?;
+        let is_it = |entry: &Poly| *entry == *cosine || -entry.clone() == *cosine;
+        if column > 2 || !is_it(&known.0[row][column]) {
+            return None;
+        }
+        let square = |entries: [&Poly; 2]| entries[0] * entries[0] + entries[1] * entries[1];
+        let others = |of: usize| [(of + 1) % 3, (of + 2) % 3];
+        let by_column = square(others(row).map(|row| &known.0[row][column]));
+        let by_row = square(others(column).map(|column| &known.0[row][column]));
+        let options = [by_column, by_row]
+            .into_iter()
+            .filter(|square| self.unknowns(square).is_empty());
+        options.min_by_key(|square| square.terms().len())
+    }
+
+    /// Two equations for one joint that turns: its sine and its cosine.
+    fn pair(&self, joint: usize, first: &Equation, second: &Equation) -> Option<Candidate> {
+        let [a1, b1, k1] = self.linear(joint, &first.poly)?;
+        let [a2, b2, k2] = self.linear(joint, &second.poly)?;
+        let determinant = &a1 * &b2 - &a2 * &b1;
+        if determinant.is_zero() || first.source.moved != second.source.moved {
+            return None;
+        }
+        let mut cos = &k1 * &b2 - &k2 * &b1;
+        let mut sin = &a1 * &k2 - &a2 * &k1;
+        let is_turned = |a: &Poly, b: &Poly, c: &Poly, d: &Poly| *a == *d && *b == -c.clone();
+        // [a1 b1; a2 b2] is a turn, or a reflection, times a length: the determinant has one sign.
+        let definite = if is_turned(&a1, &b1, &a2, &b2) {
+            Some(1)
+        } else if is_turned(&a1, &(-b1.clone()), &a2, &(-b2.clone())) {
+            Some(-1)
+        } else {
+            determinant
+                .constant()
+                .map(|value| if number::is_negative(&value) { -1 } else { 1 })
+        };
+        match definite {
+            Some(sign) => {
+                (sin, cos) = (
+                    sin.scaled(&number::whole(sign)),
+                    cos.scaled(&number::whole(sign)),
+                )
+            }
+            None => (sin, cos) = (&sin * &determinant, &cos * &determinant),
+        }
+        // A common factor of even power, or none that matters, may go.
+        let common = sin.common_monomial().common(&cos.common_monomial());
+        let even = common
+            .powers()
+            .fold(crate::poly::Monomial::ONE, |even, (var, exponent)| {
+                even.with_exponent(var, exponent - exponent % 2)
+            });
+        (sin, cos) = (sin.divided(&even)?, cos.divided(&even)?);
+        let sure = match (determinant.constant().is_some(), definite.is_some()) {
+            (true, _) => 0,
+            (false, true) => 2,
+            (false, false) => 8,
+        };
+        let size = sin.terms().len() + cos.terms().len();
+        let entries = [&first.source.entries[..], &second.source.entries].concat();
+        let squares = first.source.squares || second.source.squares;
+        let source = Source {
+            entries,
+            squares,
+            ..first.source.clone()
+        };
+        (!squares).then_some(Candidate {
+            cost: (sure, size, joint),
+            joint,
+            rule: Rule::One { sin, cos },
+            source,
+        })
+    }
+}
+
+impl Probe {
+    fn new(arm: &Arm, names: &Names, target: &[[Var; 4]; 3]) -> Result<Self> {
+        let q = (0..arm.dof())
+            .map(|joint| 0.61 + 0.37 * joint as f64 - 0.9 * (joint % 2) as f64)
+            .collect();
+        let mut probe = Self {
+            q,
+            values: Vec::new(),
+        };
+        // A value for every symbol without one; near 1, and no two alike.
+        for (index, (var, name, meaning)) in names.symbols().enumerate() {
+            if *meaning == SymbolMeaning::Parameter && arm.parameter(name).is_nan() {
+                probe.values.push((var, 0.83 + 0.171 * index as f64));
+            }
+        }
+        let pose = arm.tool_pose()?;
+        for (vars, entries) in target.iter().zip(&pose.0) {
+            for (var, entry) in vars.iter().zip(entries) {
+                let value = probe.value(arm, entry);
+                probe.values.push((*var, value));
+            }
+        }
+        Ok(probe)
+    }
+
+    fn value(&self, arm: &Arm, poly: &Poly) -> f64 {
+        poly.evaluate(&0.0, |var| {
+            match self.values.iter().find(|(known, _)| *known == var) {
+                Some((_, value)) => *value,
+                None => arm.value_at(var, &self.q, &|name| {
+                    let value = arm.parameter(name);
+                    if value.is_nan() { 0.77 } else { value }
+                }),
+            }
+        })
+    }
+
+    fn learn(&mut self, arm: &Arm, quantities: &[(Var, Poly)]) {
+        for (var, poly) in quantities {
+            let value = self.value(arm, poly);
+            self.values.push((*var, value));
+        }
+    }
+
+    /// Whether the rule says something, and something true.
+    fn tells(&self, arm: &Arm, candidate: &Candidate) -> bool {
+        let value = |poly: &Poly| self.value(arm, poly);
+        let q = self.q[candidate.joint];
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-7 * (1.0 + a.abs());
+        match &candidate.rule {
+            Rule::Two { a, b, k, .. } => {
+                let (a, b, k) = (value(a), value(b), value(k));
+                a.hypot(b) > 1e-7 && near(a * q.cos() + b * q.sin(), k)
+            }
+            Rule::One { sin, cos } => {
+                let (sin, cos) = (value(sin), value(cos));
+                sin.hypot(cos) > 1e-7 && near((sin.atan2(cos) - q).cos(), 1.0)
+            }
+            Rule::Slide { above, below } => {
+                value(below).abs() > 1e-7 && near(value(above) / value(below), q)
+            }
+            Rule::Square { coefficients } => value(&coefficients[2]).abs() > 1e-7,
+        }
+    }
+}
+
+impl Rule {
+    /// Every polynomial in the rule.
+    pub(super) fn polys(&self) -> Vec<&Poly> {
+        match self {
+            Self::Two {
+                a,
+                b,
+                k,
+                sine_square,
+            } => [a, b, k].into_iter().chain(sine_square).collect(),
+            Self::One { sin, cos } => vec![sin, cos],
+            Self::Slide { above, below } => vec![above, below],
+            Self::Square { coefficients } => coefficients.iter().collect(),
+        }
+    }
+}
+
+/// Leaves out what no later step uses.
+fn drop_unused(steps: &mut Vec<Step>) {
+    let mut used: Vec<Var> = Vec::new();
+    for step in steps.iter_mut().rev() {
+        match step {
+            Step::Define { quantities, .. } => {
+                quantities.retain(|(var, _)| used.contains(var));
+                used.extend(quantities.iter().flat_map(|(_, poly)| poly.vars()));
+            }
+            Step::Joint { rule, .. } => {
+                used.extend(rule.polys().iter().flat_map(|poly| poly.vars()))
+            }
+        }
+    }
+    steps.retain(|step| !matches!(step, Step::Define { quantities, .. } if quantities.is_empty()));
+}

@@ -1,0 +1,381 @@
+//! The closed-form inverse as numbered steps for a reader.
+
+use super::{Defined, Inverse, Rule, Source, Step};
+use crate::basis;
+use crate::derive::{indexed, text};
+use crate::form::{self, Form};
+use crate::names::Var;
+use crate::poly::Poly;
+use crate::sheet::{Block, Inline, words};
+
+/// Writes the steps.
+pub(crate) fn write(inverse: &Inverse) -> Vec<Block> {
+    let mut writer = Writer {
+        inverse,
+        blocks: Vec::new(),
+    };
+    writer.given();
+    let mut number = 0;
+    for step in &inverse.steps {
+        number += 1;
+        match step {
+            Step::Define {
+                what: Defined::Known { first, end },
+                quantities,
+            } => writer.define(number, (*first, *end), quantities),
+            Step::Define {
+                what: Defined::Point { first, end },
+                quantities,
+            } => writer.point(number, (*first, *end), quantities),
+            Step::Joint {
+                joint,
+                rule,
+                source,
+            } => writer.joint(number, *joint, rule, source),
+        }
+    }
+    writer.closing();
+    writer.blocks
+}
+
+struct Writer<'a> {
+    inverse: &'a Inverse,
+    blocks: Vec<Block>,
+}
+
+impl Writer<'_> {
+    fn heading(&mut self, level: u8, text: String) {
+        self.blocks.push(Block::Heading(level, text));
+    }
+
+    fn say(&mut self, inlines: Vec<Inline>) {
+        self.blocks.push(Block::Text(inlines));
+    }
+
+    fn form(&self, poly: &Poly) -> Form {
+        form::of(
+            &self.inverse.names,
+            &basis::shortest(&self.inverse.arm, poly),
+        )
+    }
+
+    fn given(&mut self) {
+        self.heading(1, "What is given".to_owned());
+        let mut rows: Vec<Vec<Form>> = self
+            .inverse
+            .target
+            .iter()
+            .map(|row| row.iter().map(|var| Form::Var(*var)).collect())
+            .collect();
+        rows.push([0, 0, 0, 1].map(Form::whole).to_vec());
+        let name = Form::name("T");
+        self.blocks.push(Block::Matrix(vec![name], rows));
+        let branches = self.inverse.steps.iter().filter(|step| {
+            matches!(
+                step,
+                Step::Joint {
+                    rule: Rule::Two { .. } | Rule::Square { .. },
+                    ..
+                }
+            )
+        });
+        let count = 1_usize << branches.count();
+        self.say(words(format!(
+            "The pose the tool is to take. Every +- is a branch; each combination of signs is a solution of its own, {count} at \
+             most. Angles are meant in (-pi, pi]."
+        )));
+        self.heading(1, "The steps".to_owned());
+    }
+
+    fn define(&mut self, number: usize, (first, end): (usize, usize), quantities: &[(Var, Poly)]) {
+        let count = self.inverse.arm.dof();
+        let whole = (first, end) == (0, count);
+        let title = match whole {
+            true => format!("Step {number}: take base and tool off"),
+            false => format!("Step {number}: bring the solved rows over"),
+        };
+        self.heading(2, title);
+        let mut product: Vec<Form> = Vec::new();
+        let inverse_of = |name: Form| Form::Name(format!("{}^-1", plain(&name)));
+        if whole {
+            product.extend([
+                inverse_of(Form::name("B")),
+                Form::name("T"),
+                inverse_of(Form::name("E")),
+            ]);
+        } else {
+            product.extend(
+                (0..first)
+                    .rev()
+                    .map(|row| inverse_of(indexed("A", row + 1))),
+            );
+            product.push(Form::name("T"));
+            product.extend(
+                (end..count)
+                    .rev()
+                    .map(|row| inverse_of(indexed("A", row + 1))),
+            );
+        }
+        let left: Vec<Form> = (first..end).map(|row| indexed("A", row + 1)).collect();
+        let mut sentence = vec![
+            text("What is left to solve: "),
+            Inline::Math(Form::Product(left)),
+            text(" = "),
+        ];
+        let names: Vec<String> = product.iter().map(plain).collect();
+        sentence.push(text(names.join(" ")));
+        sentence.push(text(
+            ". Of this known matrix the following entries are needed; the index is row and column:",
+        ));
+        self.say(sentence);
+        for (var, poly) in quantities {
+            let right = self.form(poly);
+            self.blocks.push(Block::Equation(Form::Var(*var), right));
+        }
+    }
+
+    fn point(&mut self, number: usize, (first, end): (usize, usize), quantities: &[(Var, Poly)]) {
+        self.heading(2, format!("Step {number}: the origin of frame {}", end - 1));
+        self.say(words(format!(
+            "The last unsolved joint, q{end}, does not move this point: in the axes of frame {first} it is"
+        )));
+        for (var, poly) in quantities {
+            let right = self.form(poly);
+            self.blocks.push(Block::Equation(Form::Var(*var), right));
+        }
+    }
+
+    fn source(&self, source: &Source) -> Vec<Inline> {
+        let (first, end) = source.rows;
+        let mut left = Vec::new();
+        if source.moved.0 {
+            left.push(format!("A{}^-1", first));
+        }
+        left.push("(known)".to_owned());
+        if source.moved.1 {
+            left.push(format!("A{}^-1", end + 1));
+        }
+        let rows: Vec<String> = (first..end).map(|row| format!("A{}", row + 1)).collect();
+        let rows = if rows.is_empty() {
+            "1".to_owned()
+        } else {
+            rows.join(" ")
+        };
+        let entries: Vec<String> = source
+            .entries
+            .iter()
+            .map(|(row, column)| format!("({},{})", row + 1, column + 1))
+            .collect();
+        let list = match entries.split_last() {
+            Some((last, rest)) if !rest.is_empty() => {
+                format!("entries {} and {last}", rest.join(", "))
+            }
+            _ => format!("entry {}", entries.join("")),
+        };
+        let what = match source.squares {
+            true => format!("The squares of {list} added up, known parts on one side, in"),
+            false => format!("From {list} of"),
+        };
+        vec![text(format!("{what} {} = {rows}: ", left.join(" ")))]
+    }
+
+    fn joint(&mut self, number: usize, joint: usize, rule: &Rule, source: &Source) {
+        let q = Form::Joint(joint);
+        self.heading(2, format!("Step {number}: q{}", joint + 1));
+        let sentence = self.source(source);
+        self.say(sentence);
+        match rule {
+            Rule::Two {
+                a,
+                b,
+                k,
+                sine_square,
+            } => self.two(joint, [a, b, k], sine_square.as_ref()),
+            Rule::One { sin, cos } => {
+                let arguments = vec![self.form(sin), self.form(cos)];
+                self.blocks
+                    .push(Block::Equation(q.clone(), Form::Call("atan2", arguments)));
+                let may_vanish = sin.constant().is_none() && cos.constant().is_none();
+                if may_vanish && !self.is_unit(sin, cos) {
+                    self.say(vec![
+                        text("Degenerate case: where both arguments are 0, any "),
+                        Inline::Math(q),
+                        text(" will do: choose it, for instance as it was before; the next steps give what goes with it."),
+                    ]);
+                }
+            }
+            Rule::Slide { above, below } => {
+                let right = match below.constant() {
+                    Some(value) => self.form(&above.scaled(&(crate::number::whole(1) / value))),
+                    None => self.form(above).over(self.form(below)),
+                };
+                self.blocks.push(Block::Equation(q, right));
+            }
+            Rule::Square { coefficients } => {
+                let [c, b, a] = coefficients.each_ref().map(|poly| self.form(poly));
+                for (name, form) in [("K_2", a), ("K_1", b), ("K_0", c)] {
+                    self.blocks.push(Block::Equation(Form::name(name), form));
+                }
+                let four =
+                    Form::Product(vec![Form::whole(4), Form::name("K_2"), Form::name("K_0")]);
+                let square = Form::Power(Box::new(Form::name("K_1")), 2);
+                let root = Form::Sum(vec![square, Form::Neg(Box::new(four))]).root();
+                let above = Form::Neg(Box::new(Form::name("K_1"))).plus_minus(root);
+                let below = Form::Product(vec![Form::whole(2), Form::name("K_2")]);
+                self.blocks.push(Block::Equation(q, above.over(below)));
+            }
+        }
+    }
+
+    fn two(&mut self, joint: usize, [a, b, k]: [&Poly; 3], sine_square: Option<&Poly>) {
+        let q = Form::Joint(joint);
+        let angle = self.inverse.arm.joint_angle(joint);
+        let (sin, cos) = match angle {
+            Some(angle) => (Form::Var(angle.sin()), Form::Var(angle.cos())),
+            None => return,
+        };
+        if let Some(square) = sine_square {
+            self.blocks.push(Block::Equation(cos, self.form(k)));
+            let arguments = vec![self.form(square).root(), self.form(k)];
+            self.blocks.push(Block::Equation(
+                q.clone(),
+                Form::PlusMinus(
+                    Box::new(Form::Sum(Vec::new())),
+                    Box::new(Form::Call("atan2", arguments)),
+                ),
+            ));
+            self.say(vec![
+                text("The sine's square is written with the other entries of its line, which keeps its digits where the cosine loses them. Degenerate case: "),
+                Inline::Equality(sin, Form::whole(0)),
+                text(" merges the branches, and the axes on both sides of this joint are in line."),
+            ]);
+            return;
+        }
+        if b.is_zero() && a.terms().len() == 1 {
+            return self.cosine(q, cos, a, k);
+        }
+        let index = joint + 1;
+        let named = |writer: &mut Self, name: &str, poly: &Poly| match poly.terms().len() {
+            0 | 1 => writer.form(poly),
+            _ => {
+                let name = Form::Name(format!("{name}_{index}"));
+                let right = writer.form(poly);
+                writer.blocks.push(Block::Equation(name.clone(), right));
+                name
+            }
+        };
+        let (x, y, w) = (
+            named(self, "X", a),
+            named(self, "Y", b),
+            named(self, "W", k),
+        );
+        let term = |factor: &Form, of: Form| match factor {
+            Form::Number(value) if *value == crate::number::whole(1) => of,
+            Form::Neg(inner) => Form::Neg(Box::new(Form::Product(vec![(**inner).clone(), of]))),
+            factor => Form::Product(vec![factor.clone(), of]),
+        };
+        let mut left = Vec::new();
+        if !a.is_zero() {
+            left.push(term(&x, cos));
+        }
+        if !b.is_zero() {
+            left.push(term(&y, sin));
+        }
+        let left = if left.len() == 1 {
+            left.remove(0)
+        } else {
+            Form::Sum(left)
+        };
+        self.blocks.push(Block::Equation(left, w.clone()));
+        let square = |form: &Form| Form::Power(Box::new(form.clone()), 2);
+        let mut radius: Vec<Form> = Vec::new();
+        if !a.is_zero() {
+            radius.push(square(&x));
+        }
+        if !b.is_zero() {
+            radius.push(square(&y));
+        }
+        if !k.is_zero() {
+            radius.push(Form::Neg(Box::new(square(&w))));
+        }
+        let root = if radius.len() == 1 {
+            radius.remove(0)
+        } else {
+            Form::Sum(radius)
+        };
+        let middle = Form::Call("atan2", vec![y.clone(), x.clone()]);
+        let half = match k.is_zero() {
+            true => Form::name("pi").over(Form::whole(2)),
+            false => Form::Call("atan2", vec![root.clone().root(), w]),
+        };
+        self.blocks
+            .push(Block::Equation(q.clone(), middle.plus_minus(half)));
+        let mut sentence = Vec::new();
+        if !k.is_zero() {
+            sentence.push(text("Out of reach where the root's argument is negative; the branches merge where it is 0. "));
+        }
+        if a.constant().is_none() || b.constant().is_none() {
+            sentence.push(text("Degenerate case: "));
+            let zero = [(a, &x), (b, &y)]
+                .into_iter()
+                .filter(|(poly, _)| !poly.is_zero());
+            for (index, (_, form)) in zero.enumerate() {
+                if index > 0 {
+                    sentence.push(text(" and "));
+                }
+                sentence.push(Inline::Equality(form.clone(), Form::whole(0)));
+            }
+            sentence.push(text(": then any "));
+            sentence.push(Inline::Math(q));
+            sentence.push(text(" will do, if it is reached at all."));
+        }
+        if !sentence.is_empty() {
+            self.say(sentence);
+        }
+    }
+
+    /// `a cos q = k` with a product of lengths for a.
+    fn cosine(&mut self, q: Form, cos: Form, a: &Poly, k: &Poly) {
+        let value = self.form(k);
+        let value = if *a == Poly::one() {
+            value
+        } else {
+            value.over(self.form(a))
+        };
+        self.blocks.push(Block::Equation(cos.clone(), value));
+        let square = Form::Neg(Box::new(Form::Power(Box::new(cos.clone()), 2)));
+        let root = Form::Sum(vec![Form::whole(1), square]).root();
+        let call = Form::Call("atan2", vec![root, cos.clone()]);
+        let nothing = Box::new(Form::Sum(Vec::new()));
+        self.blocks
+            .push(Block::Equation(q, Form::PlusMinus(nothing, Box::new(call))));
+        self.say(vec![
+            text("Out of reach where the square of "),
+            Inline::Math(cos),
+            text(" is more than 1; the branches merge where it is 1, with the arm stretched or folded."),
+        ]);
+    }
+
+    /// Whether sine and cosine are entries of a rotation with nothing between: they cannot vanish together.
+    fn is_unit(&self, sin: &Poly, cos: &Poly) -> bool {
+        let single = |poly: &Poly| matches!(poly.terms(), [term] if term.monomial.degree() == 1);
+        let steps = self.inverse.steps.len();
+        let last = matches!(self.inverse.steps.get(steps - 1), Some(Step::Joint { rule: Rule::One { sin: s, cos: c }, .. }) if s == sin && c == cos);
+        last && (single(sin) || single(cos))
+    }
+
+    fn closing(&mut self) {
+        self.heading(1, "To be sure".to_owned());
+        self.say(words(
+            "Put each solution back into the forward formulas: an arm with fewer than six joints reaches only some poses, and \
+             the steps use only as many equations as they need.",
+        ));
+    }
+}
+
+fn plain(form: &Form) -> String {
+    match form {
+        Form::Name(name) => name.replace('_', ""),
+        _ => String::new(),
+    }
+}

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod check;
+mod codegen;
 mod convert;
 mod derive;
 mod fk;
@@ -30,6 +31,8 @@ pub(crate) enum Command {
     Derive(derive::Arguments),
     /// Check printed formulas against an arm
     Check(check::Arguments),
+    /// Generate source code: Rust, C, C++, Python or MATLAB
+    Codegen(codegen::Arguments),
     /// Inverse kinematics: a pose in, every solution out
     Ik(ik::Arguments),
 }
@@ -45,6 +48,7 @@ impl Command {
             Self::Convert(arguments) => arguments.run(),
             Self::Derive(arguments) => arguments.run(),
             Self::Check(arguments) => arguments.run(),
+            Self::Codegen(arguments) => arguments.run(),
             Self::Ik(arguments) => arguments.run(),
         }
     }

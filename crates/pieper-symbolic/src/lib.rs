@@ -33,6 +33,8 @@ pub mod sheet;
 
 pub mod inverse;
 
+pub mod code;
+
 pub mod derive;
 
 pub mod claims;

@@ -577,7 +577,7 @@ impl Probe {
 
 impl Rule {
     /// Every polynomial in the rule.
-    pub(super) fn polys(&self) -> Vec<&Poly> {
+    pub(crate) fn polys(&self) -> Vec<&Poly> {
         match self {
             Self::Two {
                 a,

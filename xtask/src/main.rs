@@ -8,7 +8,7 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 cargo xtask test     everything a change has to pass: format, lints, tests, documentation, checks against other programs
 cargo xtask quick    the same without the checks that install Python packages
-cargo xtask peers    only the checks against other programs (Pinocchio, mpmath), installed below target/";
+cargo xtask peers    only the checks against other programs (Pinocchio, mpmath, SymPy), installed below target/";
 
 fn main() -> ExitCode {
     let argument = std::env::args().nth(1).unwrap_or_default();

@@ -11,7 +11,7 @@ use crate::steps::{run, say};
 /// continuous integration.
 pub(crate) fn checks() -> bool {
     let Some(python) = environment() else {
-        let missing = "not run: the checks against Pinocchio and mpmath (they need python3 >= 3.11 with venv, and PyPI)";
+        let missing = "not run: the checks against Pinocchio, mpmath and SymPy (they need python3 >= 3.11 with venv, and PyPI)";
         say(missing);
         return std::env::var_os("CI").is_none();
     };
@@ -24,6 +24,10 @@ pub(crate) fn checks() -> bool {
         && check(
             "URDF frames, by Pinocchio",
             &["tests/urdf_peer.py", "--bin", "target/release/pieper"],
+        )
+        && check(
+            "equality of formulas, by SymPy",
+            &["tests/sympy_peer.py", "--bin", "target/release/pieper"],
         )
 }
 

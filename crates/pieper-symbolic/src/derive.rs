@@ -97,8 +97,11 @@ impl Writer<'_> {
         self.blocks.push(Block::Text(inlines));
     }
 
+    /// In sums of parallel angles where that is shorter.
     pub(crate) fn form(&self, poly: &Poly) -> Form {
-        form::of(&self.arm.names, &self.sums.rewrite(poly))
+        let sums = self.sums.rewrite(poly);
+        let is_shorter = sums.terms().len() <= poly.terms().len();
+        form::of(&self.arm.names, if is_shorter { &sums } else { poly })
     }
 
     fn notation(&mut self) {
@@ -513,7 +516,10 @@ fn of_expr(expr: &Expr) -> Form {
                 Operator::Add => Form::Sum(vec![left, right]),
                 Operator::Sub => Form::Sum(vec![left, form::signed(true, right)]),
                 Operator::Mul => Form::Product(vec![left, right]),
-                Operator::Div => left.over(right),
+                Operator::Div => match left {
+                    Form::Neg(inner) => form::signed(true, inner.over(right)),
+                    left => left.over(right),
+                },
                 Operator::Pow => match right {
                     Form::Number(value) => match u32::try_from(value.numerator().clone()) {
                         Ok(exponent) if value.is_int() => Form::Power(Box::new(left), exponent),

@@ -63,7 +63,7 @@ pub fn determinant(arm: &Arm) -> Option<Determinant> {
     let mut result = Determinant {
         frame,
         point,
-        number: number::whole(if odd % 2 == 0 { 1 } else { -1 }),
+        number: number::whole(if odd.is_multiple_of(2) { 1 } else { -1 }),
         factors: Vec::new(),
     };
     for block in &blocks {

@@ -30,6 +30,8 @@ pub enum Form {
     Power(Box<Form>, u32),
     /// A fraction.
     Quotient(Box<Form>, Box<Form>),
+    /// The inverse of a matrix.
+    Inverse(Box<Form>),
     /// The square root.
     Root(Box<Form>),
     /// A function by name.

@@ -146,7 +146,7 @@ impl Poly {
     /// A polynomial of reduced terms in any order, some perhaps alike.
     pub fn from_terms(terms: impl IntoIterator<Item = Term>) -> Self {
         let mut terms: Vec<Term> = terms.into_iter().collect();
-        terms.sort_unstable_by(|a, b| b.monomial.cmp(&a.monomial));
+        terms.sort_unstable_by_key(|term| std::cmp::Reverse(term.monomial));
         let mut merged: Vec<Term> = Vec::with_capacity(terms.len());
         for term in terms {
             match merged.last_mut() {

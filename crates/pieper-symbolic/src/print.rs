@@ -37,6 +37,7 @@ trait Notation {
     fn leaf(&self, form: &Form) -> String;
     fn power(&self, base: String, exponent: u32) -> String;
     fn quotient(&self, above: &Form, below: &Form) -> String;
+    fn inverse(&self, inner: String) -> String;
     fn root(&self, inner: String) -> String;
     fn call(&self, name: &str, arguments: Vec<String>) -> String;
     fn parenthesised(&self, inner: String) -> String;
@@ -89,6 +90,7 @@ trait Notation {
             }
             Form::Power(base, exponent) => self.power(self.inside(base, 3), *exponent),
             Form::Quotient(above, below) => self.quotient(above, below),
+            Form::Inverse(inner) => self.inverse(self.inside(inner, 3)),
             Form::Root(inner) => self.root(self.form(inner)),
             Form::Call(name, arguments) => {
                 let arguments = arguments
@@ -157,6 +159,10 @@ impl Notation for Plain<'_> {
 
     fn quotient(&self, above: &Form, below: &Form) -> String {
         format!("{}/{}", self.inside(above, 2), self.inside(below, 3))
+    }
+
+    fn inverse(&self, inner: String) -> String {
+        format!("{inner}^-1")
     }
 
     fn root(&self, inner: String) -> String {
@@ -295,6 +301,10 @@ impl Notation for Latex<'_> {
         format!("\\frac{{{}}}{{{}}}", self.form(above), self.form(below))
     }
 
+    fn inverse(&self, inner: String) -> String {
+        format!("{inner}^{{-1}}")
+    }
+
     fn root(&self, inner: String) -> String {
         format!("\\sqrt{{{inner}}}")
     }
@@ -305,7 +315,10 @@ impl Notation for Latex<'_> {
         } else {
             format!("\\{name}")
         };
-        format!("{name}\\left({}\\right)", arguments.join(",\\, "))
+        match &arguments[..] {
+            [one] if is_name(one) => format!("{name} {one}"),
+            _ => format!("{name}\\left({}\\right)", arguments.join(",\\, ")),
+        }
     }
 
     // Plain parentheses: \left and \right would forbid the line breaks a long formula needs.
@@ -316,6 +329,13 @@ impl Notation for Latex<'_> {
     fn operators(&self) -> [&'static str; 5] {
         ["-", " + ", " - ", " \\pm ", "\\,"]
     }
+}
+
+/// Whether LaTeX text is one letter, Latin or Greek.
+fn is_name(text: &str) -> bool {
+    let word = text.strip_prefix('\\').unwrap_or(text);
+    word.len() == 1
+        || (text.starts_with('\\') && word.bytes().all(|byte| byte.is_ascii_alphabetic()))
 }
 
 struct MathMl<'a> {
@@ -406,15 +426,24 @@ impl Notation for MathMl<'_> {
         )
     }
 
+    fn inverse(&self, inner: String) -> String {
+        format!(
+            "<msup><mrow>{inner}</mrow><mrow><mo form=\"prefix\">&#8722;</mo><mn>1</mn></mrow></msup>"
+        )
+    }
+
     fn root(&self, inner: String) -> String {
         format!("<msqrt>{inner}</msqrt>")
     }
 
     fn call(&self, name: &str, arguments: Vec<String>) -> String {
-        format!(
-            "<mi>{name}</mi><mo>&#8289;</mo><mo>(</mo>{}<mo>)</mo>",
-            arguments.join("<mo>,</mo>")
-        )
+        let name = format!("<mspace width=\"0.17em\"/><mi>{name}</mi><mo>&#8289;</mo>");
+        match &arguments[..] {
+            [one] if one.matches("<mi>").count() == 1 && !one.contains("<mo") => {
+                format!("{name}<mspace width=\"0.17em\"/>{one}")
+            }
+            _ => format!("{name}<mo>(</mo>{}<mo>)</mo>", arguments.join("<mo>,</mo>")),
+        }
     }
 
     fn parenthesised(&self, inner: String) -> String {

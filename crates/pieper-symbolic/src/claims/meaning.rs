@@ -88,7 +88,7 @@ impl Linear {
 pub(crate) enum Leaf {
     Poly(Poly),
     Angle(Linear),
-    Matrix(Transform),
+    Matrix(Box<Transform>),
 }
 
 /// A joint that a condition holds still.
@@ -575,14 +575,14 @@ impl Meaning<'_> {
             }
             ("t" | "T", index) if entry_index(index).is_some() => entry_index(index)
                 .map(|(row, column)| Leaf::Poly(self.pose.entry(row - 1, column - 1))),
-            ("T", "") => Some(Leaf::Matrix(self.pose.clone())),
+            ("T", "") => Some(Leaf::Matrix(Box::new(self.pose.clone()))),
             ("T", index) if single(index).is_some() => {
-                single(index).map(|end| Leaf::Matrix(self.arm.product(0, end)))
+                single(index).map(|end| Leaf::Matrix(Box::new(self.arm.product(0, end))))
             }
             ("T" | "R", index) => {
-                pair(index).map(|(first, end)| Leaf::Matrix(self.arm.product(first, end)))
+                pair(index).map(|(first, end)| Leaf::Matrix(Box::new(self.arm.product(first, end))))
             }
-            ("A", index) => single(index).map(|one| Leaf::Matrix(self.arm.link(one - 1))),
+            ("A", index) => single(index).map(|one| Leaf::Matrix(Box::new(self.arm.link(one - 1)))),
             ("J", index) => {
                 let (row, column) = (
                     index.get(..1)?.parse::<usize>().ok()?,

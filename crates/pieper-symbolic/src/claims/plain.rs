@@ -93,7 +93,7 @@ pub(crate) fn name(text: &str) -> Kind {
         }
     };
     // atan2 is one word.
-    if base == "atan" && index == "2" || base == "arctan" && index == "2" {
+    if matches!(base, "atan" | "arctan") && index == "2" {
         return Kind::Name("atan2".to_owned(), String::new());
     }
     Kind::Name(base.to_owned(), index.to_owned())

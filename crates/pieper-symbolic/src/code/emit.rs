@@ -62,17 +62,6 @@ impl Emit<'_> {
         self.indent += 1;
     }
 
-    pub(super) fn open_if(&mut self, condition: &str) {
-        let text = match self.language {
-            Language::C | Language::Cpp => format!("if ({condition}) {{"),
-            Language::Rust => format!("if {condition} {{"),
-            Language::Python => format!("if {condition}:"),
-            Language::Matlab => format!("if {condition}"),
-        };
-        self.line(&text);
-        self.indent += 1;
-    }
-
     pub(super) fn close(&mut self) {
         self.indent -= 1;
         match self.language {

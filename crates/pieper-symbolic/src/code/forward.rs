@@ -118,8 +118,15 @@ fn last_shift(arm: &Arm) -> Option<[Poly; 3]> {
 struct Pending {
     offset: Turn<Poly>,
     sum: Vec<(usize, i8)>,
-    /// Shifts along x and z, and how many joints of the sum turn them: those before the shift.
-    shifts: Vec<(Poly, Poly, Turn<Poly>, Vec<(usize, i8)>)>,
+    shifts: Vec<Shift>,
+}
+
+/// A shift that waits, and the part of the sum that turns it: of the joints before it.
+struct Shift {
+    x: Poly,
+    z: Poly,
+    offset: Turn<Poly>,
+    joints: Vec<(usize, i8)>,
 }
 
 struct Builder<'a> {
@@ -193,9 +200,9 @@ impl Builder<'_> {
         });
         pending.offset = angle::sum(offset, &pending.offset);
         pending.sum.splice(0..0, own.iter().copied());
-        for (.., partial, joints) in &mut pending.shifts {
-            *partial = angle::sum(offset, partial);
-            joints.splice(0..0, own.iter().copied());
+        for shift in &mut pending.shifts {
+            shift.offset = angle::sum(offset, &shift.offset);
+            shift.joints.splice(0..0, own.iter().copied());
         }
     }
 
@@ -204,7 +211,12 @@ impl Builder<'_> {
             return;
         }
         match &mut self.pending {
-            Some(pending) => pending.shifts.push((a, d, angle::still(), Vec::new())),
+            Some(pending) => pending.shifts.push(Shift {
+                x: a,
+                z: d,
+                offset: angle::still(),
+                joints: Vec::new(),
+            }),
             None => {
                 let (a, d) = (
                     self.graph.poly(&self.arm.names, &a),
@@ -256,8 +268,9 @@ impl Builder<'_> {
         let total = self.total(&pending.offset, &pending.sum);
         let (sin, cos) = self.turn(&total);
         self.mix(0, 1, sin, cos);
-        for (a, d, offset, joints) in &pending.shifts {
-            let partial = self.total(offset, joints);
+        for shift in &pending.shifts {
+            let (a, d) = (&shift.x, &shift.z);
+            let partial = self.total(&shift.offset, &shift.joints);
             let (sin, cos) = self.turn(&partial);
             let (a, d) = (
                 self.graph.poly(&self.arm.names, a),

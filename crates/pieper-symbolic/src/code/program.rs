@@ -225,6 +225,13 @@ impl Program<'_> {
         };
         self.emit.line(&text);
         self.emit.indent += 1;
+        if self.emit.language.is_c() {
+            // A function need not use every length.
+            for name in self.open.clone() {
+                let name = self.emit.language.name(&name);
+                self.emit.line(&format!("(void){name};"));
+            }
+        }
     }
 
     /// Hands the entries out and ends the function.
@@ -388,7 +395,7 @@ impl Program<'_> {
         self.emit.comment("A joint that a singular pose leaves free gets the value `free`; each solution was put back into fk.");
         let text = match language {
             Language::C => format!(
-                "int {name}(const {number} T[3][4], {number} free, {number} found[{most}][{count}]{open}) {{"
+                "int {name}({number} T[3][4], {number} free, {number} found[{most}][{count}]{open}) {{"
             ),
             Language::Cpp => {
                 format!(
@@ -477,7 +484,7 @@ impl Program<'_> {
     fn joint(&mut self, joint: usize, rule: &Rule) -> bool {
         let language = self.emit.language;
         let (q, index) = (language.at("q", joint), joint + 1);
-        let mut values = |program: &mut Self, polys: &[&Poly]| -> Vec<String> {
+        let values = |program: &mut Self, polys: &[&Poly]| -> Vec<String> {
             polys.iter().map(|poly| program.emit.poly(poly)).collect()
         };
         match rule {

@@ -81,7 +81,7 @@ impl Writer<'_> {
         });
         let count = 1_usize << branches.count();
         self.say(words(format!(
-            "The pose the tool is to take. Every +- is a branch; each combination of signs is a solution of its own, {count} at \
+            "The pose the tool is to take. Below, K is what is known of the product of the rows that are left: T at first. Every +- is a branch; each combination of signs is a solution of its own, {count} at \
              most. Angles are meant in (-pi, pi]."
         )));
         self.heading(1, "The steps".to_owned());
@@ -96,7 +96,7 @@ impl Writer<'_> {
         };
         self.heading(2, title);
         let mut product: Vec<Form> = Vec::new();
-        let inverse_of = |name: Form| Form::Name(format!("{}^-1", plain(&name)));
+        let inverse_of = |name: Form| Form::Inverse(Box::new(name));
         if whole {
             product.extend([
                 inverse_of(Form::name("B")),
@@ -117,16 +117,13 @@ impl Writer<'_> {
             );
         }
         let left: Vec<Form> = (first..end).map(|row| indexed("A", row + 1)).collect();
-        let mut sentence = vec![
+        let sentence = vec![
             text("What is left to solve: "),
-            Inline::Math(Form::Product(left)),
-            text(" = "),
+            Inline::Equality(Form::Product(left), Form::Product(product)),
+            text(
+                ". Of this known matrix the following entries are needed; the index is row and column:",
+            ),
         ];
-        let names: Vec<String> = product.iter().map(plain).collect();
-        sentence.push(text(names.join(" ")));
-        sentence.push(text(
-            ". Of this known matrix the following entries are needed; the index is row and column:",
-        ));
         self.say(sentence);
         for (var, poly) in quantities {
             let right = self.form(poly);
@@ -149,17 +146,17 @@ impl Writer<'_> {
         let (first, end) = source.rows;
         let mut left = Vec::new();
         if source.moved.0 {
-            left.push(format!("A{}^-1", first));
+            left.push(Form::Inverse(Box::new(indexed("A", first))));
         }
-        left.push("(known)".to_owned());
+        left.push(Form::name("K"));
         if source.moved.1 {
-            left.push(format!("A{}^-1", end + 1));
+            left.push(Form::Inverse(Box::new(indexed("A", end + 1))));
         }
-        let rows: Vec<String> = (first..end).map(|row| format!("A{}", row + 1)).collect();
+        let rows: Vec<Form> = (first..end).map(|row| indexed("A", row + 1)).collect();
         let rows = if rows.is_empty() {
-            "1".to_owned()
+            Form::whole(1)
         } else {
-            rows.join(" ")
+            Form::Product(rows)
         };
         let entries: Vec<String> = source
             .entries
@@ -176,7 +173,11 @@ impl Writer<'_> {
             true => format!("The squares of {list} added up, known parts on one side, in"),
             false => format!("From {list} of"),
         };
-        vec![text(format!("{what} {} = {rows}: ", left.join(" ")))]
+        vec![
+            text(format!("{what} ")),
+            Inline::Equality(Form::Product(left), rows),
+            text(":"),
+        ]
     }
 
     fn joint(&mut self, number: usize, joint: usize, rule: &Rule, source: &Source) {
@@ -287,7 +288,15 @@ impl Writer<'_> {
             Form::Sum(left)
         };
         self.blocks.push(Block::Equation(left, w.clone()));
-        let square = |form: &Form| Form::Power(Box::new(form.clone()), 2);
+        let square = |form: &Form| {
+            // The sign of what is squared does not matter.
+            let inner = if let Form::Neg(inner) = form {
+                inner.clone()
+            } else {
+                Box::new(form.clone())
+            };
+            Form::Power(inner, 2)
+        };
         let mut radius: Vec<Form> = Vec::new();
         if !a.is_zero() {
             radius.push(square(&x));
@@ -323,7 +332,12 @@ impl Writer<'_> {
                 if index > 0 {
                     sentence.push(text(" and "));
                 }
-                sentence.push(Inline::Equality(form.clone(), Form::whole(0)));
+                let inner = if let Form::Neg(inner) = form {
+                    (**inner).clone()
+                } else {
+                    form.clone()
+                };
+                sentence.push(Inline::Equality(inner, Form::whole(0)));
             }
             sentence.push(text(": then any "));
             sentence.push(Inline::Math(q));
@@ -370,12 +384,5 @@ impl Writer<'_> {
             "Put each solution back into the forward formulas: an arm with fewer than six joints reaches only some poses, and \
              the steps use only as many equations as they need.",
         ));
-    }
-}
-
-fn plain(form: &Form) -> String {
-    match form {
-        Form::Name(name) => name.replace('_', ""),
-        _ => String::new(),
     }
 }

@@ -8,7 +8,7 @@ use crate::print::latex as formula;
 const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
-\usepackage{lmodern}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \usepackage{amsmath}
 \usepackage[margin=22mm]{geometry}
 \setlength{\parindent}{0pt}

@@ -28,3 +28,5 @@ for table in 't,q1_deg,q2_mm,mark\n0,1,2,"a ""b"""\n' 't,q1,x\r\n# x\r\n-1.5,1e-
     i=$((i + 1))
     printf "$table" > "corpus/motion_table/seed-$i"
 done
+mkdir -p corpus/claims
+cp ../examples/ar3-claims.* corpus/claims/

@@ -198,6 +198,19 @@ impl Meaning<'_> {
                 .direction_cosine(expr, a, b)
                 .map(|poly| Some(Fraction::of(poly)));
         }
+        if let (
+            "sqrt",
+            [
+                Expr {
+                    node: Node::Number(value),
+                    ..
+                },
+            ],
+        ) = (name, arguments)
+            && let Some(root) = exact_root(value)
+        {
+            return Ok(Some(Fraction::of(root)));
+        }
         let turn = match (name, arguments) {
             ("sin" | "cos" | "tan", [argument]) => match self.linear(argument)? {
                 Some(linear) => linear.turn(),
@@ -696,6 +709,17 @@ impl Meaning<'_> {
             sum + number::to_f64(count) * one(*angle)
         })
     }
+}
+
+/// The roots that sines of multiples of 15 degrees are made of.
+fn exact_root(value: &Rational) -> Option<Poly> {
+    let (two, three) = (
+        Poly::var(crate::names::Var::ROOT2),
+        Poly::var(crate::names::Var::ROOT3),
+    );
+    [(2, two.clone()), (3, three.clone()), (6, two * three)]
+        .into_iter()
+        .find_map(|(square, root)| (*value == number::whole(square)).then_some(root))
 }
 
 fn half_turn() -> Leaf {

@@ -6,6 +6,7 @@
 pub mod batch;
 mod directions;
 mod forward;
+pub(crate) mod group;
 mod hessian;
 mod jacobian;
 pub mod kernel;

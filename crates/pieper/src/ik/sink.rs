@@ -9,7 +9,7 @@ use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
 };
 use super::{MAX_JOINTS, TOLERANCES};
-use crate::kinematics::batch::GROUP;
+use crate::kinematics::group::GROUP;
 use crate::spatial::Pose;
 
 /// What a row knows about a proposal.

@@ -9,7 +9,7 @@ mod forward;
 mod hessian;
 mod jacobian;
 pub mod kernel;
-mod lanes;
+pub(crate) mod lanes;
 mod measures;
 mod orientation;
 mod quaternion;

@@ -7,6 +7,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
+use crate::kinematics::lanes::{magnitude, negative};
+
 /// One register of doubles.
 #[derive(Clone, Copy)]
 pub(super) struct Lane<S: Simd> {
@@ -76,7 +78,7 @@ impl<S: Simd> Lane<S> {
 
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
-        let value = self.simd.abs_f64s(self.value);
+        let value = magnitude(self.simd, self.value);
         Self { value, ..self }
     }
 
@@ -181,7 +183,7 @@ impl<S: Simd> Neg for Lane<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        let value = self.simd.neg_f64s(self.value);
+        let value = negative(self.simd, self.value);
         Self { value, ..self }
     }
 }

@@ -67,6 +67,15 @@ impl<S: Simd> Lane<S> {
         Self { value, ..self }
     }
 
+    /// `self * factor + addend`, rounded once whatever the processor.
+    #[inline(always)]
+    pub(super) fn fused(self, factor: Self, addend: Self) -> Self {
+        let value = self
+            .simd
+            .mul_add_f64s(self.value, factor.value, addend.value);
+        Self { value, ..self }
+    }
+
     /// `addend - self * factor`.
     #[inline(always)]
     pub(super) fn subtract_product(self, factor: Self, from: Self) -> Self {
@@ -134,6 +143,28 @@ impl<S: Simd> Mask<S> {
     pub(super) fn pick(self, yes: Lane<S>, no: Lane<S>) -> Lane<S> {
         let value = self.simd.select_f64s(self.value, yes.value, no.value);
         Lane { value, ..yes }
+    }
+
+    #[inline(always)]
+    pub(super) fn or(self, other: Self) -> Self {
+        let value = self.simd.or_m64s(self.value, other.value);
+        Self { value, ..self }
+    }
+
+    /// Where it holds and the other does not.
+    #[inline(always)]
+    pub(super) fn and_not(self, other: Self) -> Self {
+        let value = self
+            .simd
+            .and_m64s(self.value, self.simd.not_m64s(other.value));
+        Self { value, ..self }
+    }
+
+    /// Whether it holds in some lane.
+    #[inline(always)]
+    pub(super) fn any(self) -> bool {
+        let (one, zero) = (Lane::splat(self.simd, 1.0), Lane::splat(self.simd, 0.0));
+        self.pick(one, zero).largest() > 0.0
     }
 
     #[inline(always)]

@@ -19,14 +19,21 @@ use crate::spatial::Pose;
 const POSES: usize = 24;
 /// Poses on which the form of the resultant is chosen.
 const FORM_POSES: usize = 3;
-/// Perturbations of the linear part. None is best for general arms; 1e-6 splits the degeneracies of structured ones: less
-/// drowns them in rounding, which grows with its inverse square, more moves close roots together.
-const DELTAS: [f64; 2] = [0.0, 1e-6];
-/// The fallback for poses at which the small one does not help.
-const LARGE_DELTA: f64 = 1e-4;
+/// Perturbations of the linear part. None is best for general arms; the others split the degeneracies of structured ones:
+/// less drowns them in rounding, which grows with its inverse square, more moves close roots together.
+const DELTAS: [f64; 3] = [0.0, 1e-7, 1e-6];
+/// The perturbation of the eliminations with twice the digits: the matrix is rounded to doubles, which is noise of 1e-16
+/// over it.
+const PRECISE_DELTA: f64 = 1e-8;
 /// Seeds of the test poses and of the perturbations.
 const POSE_SEED: u64 = 0x6b69_6e65;
 const MOTION_SEED: u64 = 0x7069_6570;
+
+/// Eliminations in ordinary numbers that are kept.
+const CHOSEN: usize = 3;
+
+/// Eliminations of an arm: those, then all with twice the digits.
+pub(super) const MOST: usize = CHOSEN + CASES.len();
 
 /// Chooses eliminations and how many of them are run at least.
 pub(super) struct Trial<'a> {
@@ -39,6 +46,8 @@ struct Score {
     elimination: Elimination,
     /// For each pose the members of the union found.
     found: [u64; POSES],
+    /// The perturbation or the usual noise of the polynomial, whichever is larger.
+    blur: f64,
 }
 
 impl WithSimd for Trial<'_> {
@@ -53,18 +62,30 @@ impl WithSimd for Trial<'_> {
         for delta in DELTAS {
             for case in CASES {
                 let elimination = self.build(simd, case, delta, &targets, &mut random);
-                let found = std::array::from_fn(|p| {
-                    self.found(simd, &elimination, &targets[p], &mut pools[p])
+                let (mut found, mut noise) = ([0; POSES], [0.0; POSES]);
+                for (p, target) in targets.iter().enumerate() {
+                    pools[p].start();
+                    let goal = self.goal(target);
+                    let doubt = elimination.run(simd, self.tables, &goal, target, &mut pools[p]);
+                    (found[p], noise[p]) = (pools[p].hit, doubt.noise);
+                }
+                noise.sort_by(f64::total_cmp);
+                scores.push(Score {
+                    blur: noise[POSES / 2].max(delta),
+                    elimination,
+                    found,
                 });
-                scores.push(Score { elimination, found });
             }
         }
-        let large: Vec<Elimination> = CASES
-            .iter()
-            .take(5)
-            .map(|&case| self.build(simd, case, LARGE_DELTA, &targets, &mut random))
-            .collect();
-        Ok(order(scores, &pools, large))
+        let (mut eliminations, least) = choose(scores, &pools);
+        for case in CASES {
+            let elimination = self.build(simd, case, PRECISE_DELTA, &targets, &mut random);
+            eliminations.push(Elimination {
+                precise: true,
+                ..elimination
+            });
+        }
+        Ok((eliminations, least))
     }
 }
 
@@ -130,7 +151,7 @@ impl Trial<'_> {
         };
         let mut best = Elimination {
             case,
-            delta,
+            precise: false,
             form,
             linear: Linear::new(case, &loop_links, delta, random),
             links,
@@ -152,39 +173,21 @@ impl Trial<'_> {
         best.set_form(best_form);
         best
     }
-
-    /// Which members of the pool an elimination finds, new ones included.
-    #[inline(always)]
-    fn found<S: Simd>(
-        &self,
-        simd: S,
-        elimination: &Elimination,
-        target: &Target,
-        pool: &mut Pool,
-    ) -> u64 {
-        pool.start();
-        elimination.run(simd, self.tables, &self.goal(target), target, pool);
-        pool.hit
-    }
 }
 
 /// Below this at every random configuration an arm counts as singular everywhere: rounding gives some 1e-16, arms that
 /// move in all directions reach 1e-2.
 const SINGULAR_ARM: f64 = 1e-9;
 
-/// Perturbed eliminations are preferred only where they find more.
-const DELTA_COST: f64 = 0.002;
+/// Share of the roots that a factor of ten in the blur is worth: eliminations differ by less only by chance.
+const BLUR_COST: f64 = 0.0003;
 
 /// Greedy: the first finds most, each further one most together with the ones before, with another kept joint preferred.
-fn order(
-    mut scores: Vec<Score>,
-    pools: &[Pool],
-    large: Vec<Elimination>,
-) -> (Vec<Elimination>, usize) {
+fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Elimination>, usize) {
     let total: u32 = pools.iter().map(|pool| pool.count as u32).sum();
     let mut chosen: Vec<Score> = Vec::new();
     let mut union = [0_u64; POSES];
-    while chosen.len() < 3 {
+    while chosen.len() < CHOSEN {
         let value = |score: &Score| {
             let covered: u32 = (0..POSES)
                 .map(|p| (union[p] | score.found[p]).count_ones())
@@ -194,11 +197,7 @@ fn order(
             let repeated = chosen
                 .iter()
                 .any(|c| c.elimination.case.kept == score.elimination.case.kept);
-            let cost = if score.elimination.delta > 0.0 {
-                DELTA_COST
-            } else {
-                0.0
-            };
+            let cost = BLUR_COST * (score.blur + f64::EPSILON).log10();
             share(covered) + share(own) - cost - if repeated { 0.5 } else { 0.0 }
         };
         let mut best = 0;
@@ -214,13 +213,8 @@ fn order(
         chosen.push(next);
     }
     let least = least(&chosen, pools);
-    let mut list: Vec<Elimination> = chosen.into_iter().map(|score| score.elimination).collect();
-    list.extend(large);
-    scores.sort_by_key(|score| {
-        std::cmp::Reverse(score.found.iter().map(|f| f.count_ones()).sum::<u32>())
-    });
-    list.extend(scores.into_iter().map(|score| score.elimination));
-    (list, least)
+    let list = chosen.into_iter().map(|score| score.elimination);
+    (list.collect(), least)
 }
 
 /// The smallest number of first eliminations, from 2 to 3, by which every root is found twice; 4 otherwise.

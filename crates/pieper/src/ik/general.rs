@@ -65,6 +65,8 @@ pub struct General {
 #[derive(Clone, Debug)]
 struct Scaled {
     links: [Rigid; 5],
+    /// Which joints slide.
+    slides: [bool; 6],
     poses: [Pose; 5],
     /// Shift along the first axis, metres.
     rise: f64,
@@ -79,7 +81,7 @@ struct Scaled {
 /// One solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Root {
-    /// Joint angles, in (-pi, pi].
+    /// Joint angles, in (-pi, pi]; metres of a joint that slides.
     pub q: [f64; 6],
     /// Error of the pose after Newton: metres and radians, as one norm.
     pub residual: f64,
@@ -139,7 +141,19 @@ impl General {
     /// # Errors
     /// A model error for an arm that is singular everywhere, or whose links are not finite.
     pub fn prepare(links: &[Pose; 6]) -> Result<Self> {
-        let arm = Scaled::new(links)?;
+        Self::prepare_with_slides(links, &[None; 6])
+    }
+
+    /// The same for an arm of which one or two joints slide along z instead of turning about it: those for which a length
+    /// is given, by which they move as a rule, in metres. It sets the scale and is no limit.
+    ///
+    /// A slide takes part in the equations by 1, q and q^2 in place of 1, cos q and sin q; the kept joint and the one opposite
+    /// turn.
+    ///
+    /// # Errors
+    /// As [`General::prepare`]; and for more than two slides, or lengths that are not positive.
+    pub fn prepare_with_slides(links: &[Pose; 6], slides: &[Option<f64>; 6]) -> Result<Self> {
+        let arm = Scaled::new(links, slides)?;
         let tables = Box::new(Tables::new());
         let (eliminations, least) = Arch::new().dispatch(trial::Trial {
             arm: &arm,
@@ -185,6 +199,7 @@ impl WithSimd for Solve<'_> {
         } = self;
         let goal = Goal {
             links: &general.arm.links,
+            slides: &general.arm.slides,
             target: Rigid::of(&target.pose),
         };
         agreement::run(simd, general, &goal, &target, out)
@@ -195,7 +210,16 @@ impl WithSimd for Solve<'_> {
 const TOTAL: f64 = 3.0;
 
 impl Scaled {
-    fn new(links: &[Pose; 6]) -> Result<Self> {
+    fn new(links: &[Pose; 6], slides: &[Option<f64>; 6]) -> Result<Self> {
+        let travels = || slides.iter().flatten();
+        if travels().count() > 2 {
+            let text = "at most two of its six joints may slide: with three the orientation alone gives the angles";
+            return Err(Error::model("arm", text));
+        }
+        if !travels().all(|&length| length.is_finite() && length > 0.0) {
+            let text = "the length by which a joint slides is not a positive number";
+            return Err(Error::model("arm", text));
+        }
         let finite = |pose: &Pose| {
             let entries = pose.rotation.matrix().iter();
             entries
@@ -215,6 +239,7 @@ impl Scaled {
             .iter()
             .map(|pose| pose.translation.vector.norm())
             .sum();
+        let total = total + travels().sum::<f64>();
         if total.is_nan() || total <= 0.0 {
             let text = "all six axes meet in a point: it cannot move the tool's point";
             return Err(Error::model("arm", text));
@@ -228,7 +253,8 @@ impl Scaled {
         }
         Ok(Self {
             links: poses.each_ref().map(Rigid::of),
-            reach: reach::Reach::new(&poses),
+            reach: reach::Reach::new(&poses, &slides.map(|slide| slide.is_some())),
+            slides: slides.map(|slide| slide.is_some()),
             poses,
             rise,
             last: links[5].inverse(),
@@ -247,7 +273,11 @@ impl Scaled {
     fn forward(&self, q: &[f64; 6]) -> Pose {
         let mut pose = Pose::identity();
         for (index, angle) in q.iter().enumerate() {
-            pose *= spatial::turn(&Vector3::z_axis(), angle.sin_cos());
+            if self.slides[index] {
+                pose *= spatial::shift(Vector3::new(0.0, 0.0, *angle));
+            } else {
+                pose *= spatial::turn(&Vector3::z_axis(), angle.sin_cos());
+            }
             if let Some(link) = self.poses.get(index) {
                 pose *= link;
             }

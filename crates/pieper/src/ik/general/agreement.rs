@@ -114,7 +114,13 @@ fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Root
     for (index, root) in out.list[..out.count].iter_mut().enumerate() {
         let point = &pool.points[index];
         *root = Root {
-            q: std::array::from_fn(|joint| point[6 + joint].atan2(point[joint])),
+            q: std::array::from_fn(|joint| {
+                if general.arm.slides[joint] {
+                    point[6 + joint] / general.arm.scale
+                } else {
+                    point[6 + joint].atan2(point[joint])
+                }
+            }),
             residual: pool.errors[index] / general.arm.scale.min(1.0),
             sigma: sigma[index],
         };

@@ -241,6 +241,41 @@ impl<S: Simd> Turn<S> {
         }
     }
 
+    /// A sliding joint is at the value that is kept in place of the sine.
+    #[inline(always)]
+    pub(super) fn slid(at: Lane<S>) -> Self {
+        Self {
+            cos: at.constant(1.0),
+            sin: at,
+        }
+    }
+
+    /// Moved on by `by`, whatever kind of joint it is.
+    #[inline(always)]
+    pub(super) fn moved(self, by: Lane<S>, slides: bool) -> Self {
+        if slides {
+            Self::slid(self.sin + by)
+        } else {
+            self.advanced(by)
+        }
+    }
+
+    /// A point moved about z, or along it.
+    #[inline(always)]
+    pub(super) fn carry(self, p: Vector<S>, slides: bool) -> Vector<S> {
+        if slides {
+            [p[0], p[1], p[2] + self.sin]
+        } else {
+            self.about_z(p)
+        }
+    }
+
+    /// A direction turned about z, if the joint turns.
+    #[inline(always)]
+    pub(super) fn rotate(self, v: Vector<S>, slides: bool) -> Vector<S> {
+        if slides { v } else { self.about_z(v) }
+    }
+
     /// Turned on by `by` radians, to fifth order in it: Newton's steps need no more, and no division.
     #[inline(always)]
     pub(super) fn advanced(self, by: Lane<S>) -> Self {
@@ -314,6 +349,17 @@ impl Rigid {
     pub(super) fn column(&self, j: usize) -> [f64; 3] {
         let [x, y, z] = &self.rotation;
         [x[j], y[j], z[j]]
+    }
+
+    /// The shift, seen from behind the rotation.
+    #[inline(always)]
+    pub(super) fn unrotated_shift(&self) -> [f64; 3] {
+        let (rotation, t) = (&self.rotation, &self.shift);
+        let mut out = [0.0; 3];
+        for j in 0..3 {
+            out[j] = rotation[0][j] * t[0] + rotation[1][j] * t[1] + rotation[2][j] * t[2];
+        }
+        out
     }
 
     /// The rotation of a direction in lanes.

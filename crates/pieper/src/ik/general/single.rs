@@ -27,6 +27,8 @@ pub(super) struct Elimination {
     pub(super) linear: Linear,
     /// The true links behind a to e and the inverse of the one behind f; the target's is filled in per target.
     pub(super) links: Links,
+    /// Which of the joints a to f slide.
+    pub(super) slides: [bool; 6],
 }
 
 /// The scaled target and its inverse, as links of the loop.
@@ -59,6 +61,17 @@ impl Elimination {
     pub(super) fn set_form(&mut self, form: Form) {
         self.form = form;
         self.linear.swap(form.swapped);
+    }
+
+    /// What stands for a slide in the resultant is twice its arc tangent.
+    #[inline(always)]
+    fn value<S: Simd>(&self, place: usize, turn: Turn<S>) -> Turn<S> {
+        if !self.slides[place] {
+            return turn;
+        }
+        let one = turn.cos.constant(1.0);
+        let tiny = turn.cos.constant(f64::EPSILON);
+        Turn::slid(turn.sin / (one + turn.cos).max(tiny))
     }
 
     #[inline(always)]
@@ -290,7 +303,9 @@ impl Finish<'_, '_> {
     /// From the angles c, d and e to solutions; whether there is one close to the angle c.
     #[inline(always)]
     fn finish<S: Simd>(&mut self, simd: S, c: Turn<S>, (d, e): (Turn<S>, Turn<S>)) -> Mask<S> {
-        let loop_angles = back::complete(simd, self.links, [c, d, e]);
+        let d = self.elimination.value(3, d);
+        let e = self.elimination.value(4, e);
+        let loop_angles = back::complete(simd, self.links, &self.elimination.slides, [c, d, e]);
         let mut q: Angles<S> = loop_angles;
         let joints = self.elimination.case.joints();
         for (angle, joint) in loop_angles.into_iter().zip(joints) {

@@ -60,7 +60,10 @@ impl WithSimd for Trial<'_> {
         let mut scores = Vec::new();
         let mut pools = vec![Pool::new(); POSES];
         for delta in DELTAS {
-            for case in CASES {
+            for case in CASES
+                .into_iter()
+                .filter(|case| case.takes(&self.arm.slides))
+            {
                 let elimination = self.build(simd, case, delta, &targets, &mut random);
                 let (mut found, mut noise) = ([0; POSES], [0.0; POSES]);
                 for (p, target) in targets.iter().enumerate() {
@@ -78,7 +81,10 @@ impl WithSimd for Trial<'_> {
             }
         }
         let (mut eliminations, least) = choose(scores, &pools);
-        for case in CASES {
+        for case in CASES
+            .into_iter()
+            .filter(|case| case.takes(&self.arm.slides))
+        {
             let elimination = self.build(simd, case, PRECISE_DELTA, &targets, &mut random);
             eliminations.push(Elimination {
                 precise: true,
@@ -97,10 +103,22 @@ impl Trial<'_> {
         let mut regular = 0.0_f64;
         let mut targets = Vec::with_capacity(POSES);
         for _ in 0..POSES {
-            let q: [f64; 6] = std::array::from_fn(|_| random.signed() * std::f64::consts::PI);
+            let q: [f64; 6] = std::array::from_fn(|joint| {
+                let half = if self.arm.slides[joint] {
+                    super::TOTAL / 2.0
+                } else {
+                    std::f64::consts::PI
+                };
+                random.signed() * half
+            });
             let target = Target::new(self.arm.forward(&q));
             let mut pool = Pool::new();
-            let point = std::array::from_fn(|k| if k < 6 { q[k].cos() } else { q[k - 6].sin() });
+            let point = std::array::from_fn(|k| match (k < 6, self.arm.slides[k % 6]) {
+                (true, true) => 1.0,
+                (true, false) => q[k].cos(),
+                (false, true) => q[k - 6],
+                (false, false) => q[k - 6].sin(),
+            });
             pool.insert(&point, 0.0);
             let mut sigma = [0.0; super::pool::CAPACITY];
             let goal = self.goal(&target);
@@ -121,6 +139,7 @@ impl Trial<'_> {
     fn goal(&self, target: &Target) -> Goal<'_> {
         Goal {
             links: &self.arm.links,
+            slides: &self.arm.slides,
             target: Rigid::of(&target.pose),
         }
     }
@@ -153,8 +172,9 @@ impl Trial<'_> {
             case,
             precise: false,
             form,
-            linear: Linear::new(case, &loop_links, delta, random),
+            linear: Linear::new(case, &loop_links, &self.arm.slides, delta, random),
             links,
+            slides: case.joints().map(|joint| self.arm.slides[joint]),
         };
         let mut best_score = f64::NEG_INFINITY;
         let mut best_form = form;
@@ -187,7 +207,7 @@ fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Elimination>, usize) {
     let total: u32 = pools.iter().map(|pool| pool.count as u32).sum();
     let mut chosen: Vec<Score> = Vec::new();
     let mut union = [0_u64; POSES];
-    while chosen.len() < CHOSEN {
+    while chosen.len() < CHOSEN && !scores.is_empty() {
         let value = |score: &Score| {
             let covered: u32 = (0..POSES)
                 .map(|p| (union[p] | score.found[p]).count_ones())

@@ -26,6 +26,7 @@ mod lanes;
 mod line;
 mod newton;
 mod number;
+mod orientation;
 mod polynomial;
 mod pool;
 mod random;
@@ -37,6 +38,7 @@ mod single;
 mod tables;
 mod tolerances;
 mod trial;
+mod way;
 
 use pulp::{Arch, Simd, WithSimd};
 
@@ -45,7 +47,7 @@ use crate::spatial::{self, Pose};
 use lanes::Rigid;
 use nalgebra::Vector3;
 use newton::Goal;
-use single::{Elimination, Target};
+use single::Target;
 use tables::Tables;
 
 pub use pool::MAX_ROOTS;
@@ -56,7 +58,7 @@ pub struct General {
     arm: Scaled,
     tables: Box<Tables>,
     /// In the order in which they are run.
-    eliminations: Vec<Elimination>,
+    eliminations: Vec<way::Way>,
     /// How many are run at least.
     least: usize,
 }

@@ -44,13 +44,19 @@ pub(super) fn sample<S: Simd, N: Number<S>>(
             &mut ratios,
         );
     }
+    transform(simd, tables, &values)
+}
+
+/// The polynomial that has these values at the sampling angles, and what it is not.
+#[inline(always)]
+pub(super) fn transform<S: Simd>(simd: S, tables: &Tables, values: &[f64; SAMPLES]) -> Sampled {
     let mut polynomial: Trigonometric = [0.0; COEFFICIENTS];
     for (coefficient, weights) in polynomial.iter_mut().zip(&tables.transform) {
-        *coefficient = weighted(simd, weights, &values);
+        *coefficient = weighted(simd, weights, values);
     }
     let mut noise = 0.0;
     for weights in &tables.beyond {
-        let coefficient = weighted(simd, weights, &values);
+        let coefficient = weighted(simd, weights, values);
         noise += coefficient * coefficient;
     }
     let largest = polynomial.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -58,7 +64,12 @@ pub(super) fn sample<S: Simd, N: Number<S>>(
     Sampled {
         polynomial: polynomial.map(|x| x * scale),
         scale,
-        noise: (noise / BEYOND as f64).sqrt() * scale,
+        // What is no number is noise.
+        noise: if values.iter().sum::<f64>().is_finite() {
+            (noise / BEYOND as f64).sqrt() * scale
+        } else {
+            f64::MAX
+        },
     }
 }
 

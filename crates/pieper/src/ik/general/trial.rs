@@ -3,15 +3,17 @@
 use pulp::{Simd, WithSimd};
 
 use super::Scaled;
-use super::cycle::CASES;
+use super::cycle::{CASES, Case};
 use super::elimination::Linear;
 use super::lanes::Rigid;
 use super::newton::Goal;
+use super::orientation::Orientation;
 use super::pool::Pool;
 use super::random::Random;
 use super::resultant::{Form, SHIFTS};
 use super::single::{Elimination, Target};
 use super::tables::Tables;
+use super::way::Way;
 use crate::error::{Error, Result};
 use crate::spatial::Pose;
 
@@ -32,7 +34,7 @@ const MOTION_SEED: u64 = 0x7069_6570;
 /// Eliminations in ordinary numbers that are kept.
 const CHOSEN: usize = 3;
 
-/// Eliminations of an arm: those, then all with twice the digits.
+/// Eliminations of an arm at most: those, then all with twice the digits, or for two slides all others.
 pub(super) const MOST: usize = CHOSEN + CASES.len();
 
 /// Chooses eliminations and how many of them are run at least.
@@ -43,7 +45,7 @@ pub(super) struct Trial<'a> {
 
 /// An elimination and what it found.
 struct Score {
-    elimination: Elimination,
+    way: Way,
     /// For each pose the members of the union found.
     found: [u64; POSES],
     /// The perturbation or the usual noise of the polynomial, whichever is larger.
@@ -51,7 +53,7 @@ struct Score {
 }
 
 impl WithSimd for Trial<'_> {
-    type Output = Result<(Vec<Elimination>, usize)>;
+    type Output = Result<(Vec<Way>, usize)>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
@@ -60,42 +62,83 @@ impl WithSimd for Trial<'_> {
         let mut scores = Vec::new();
         let mut pools = vec![Pool::new(); POSES];
         for delta in DELTAS {
-            for case in CASES
-                .into_iter()
-                .filter(|case| case.takes(&self.arm.slides))
-            {
-                let elimination = self.build(simd, case, delta, &targets, &mut random);
+            for way in self.ways(simd, delta, &targets, &mut random) {
                 let (mut found, mut noise) = ([0; POSES], [0.0; POSES]);
                 for (p, target) in targets.iter().enumerate() {
                     pools[p].start();
                     let goal = self.goal(target);
-                    let doubt = elimination.run(simd, self.tables, &goal, target, &mut pools[p]);
+                    let doubt = way.run(simd, self.tables, &goal, target, &mut pools[p]);
                     (found[p], noise[p]) = (pools[p].hit, doubt.noise);
                 }
                 noise.sort_by(f64::total_cmp);
                 scores.push(Score {
                     blur: noise[POSES / 2].max(delta),
-                    elimination,
+                    way,
                     found,
                 });
             }
         }
-        let (mut eliminations, least) = choose(scores, &pools);
-        for case in CASES
-            .into_iter()
-            .filter(|case| case.takes(&self.arm.slides))
-        {
-            let elimination = self.build(simd, case, PRECISE_DELTA, &targets, &mut random);
-            eliminations.push(Elimination {
-                precise: true,
-                ..elimination
+        let (chosen, mut rest, least) = choose(scores, &pools);
+        let mut ways: Vec<Way> = chosen.into_iter().map(|score| score.way).collect();
+        if self.two_slides() {
+            rest.sort_by_key(|score| {
+                std::cmp::Reverse(score.found.iter().map(|f| f.count_ones()).sum::<u32>())
             });
+            ways.extend(rest.into_iter().map(|score| score.way));
+        } else {
+            for case in self.cases() {
+                let elimination = self.build(simd, case, PRECISE_DELTA, &targets, &mut random);
+                ways.push(Way::Resultant(Box::new(Elimination {
+                    precise: true,
+                    ..elimination
+                })));
+            }
         }
-        Ok((eliminations, least))
+        Ok((ways, least))
     }
 }
 
 impl Trial<'_> {
+    fn two_slides(&self) -> bool {
+        self.arm.slides.iter().filter(|&&slides| slides).count() == 2
+    }
+
+    fn cases(&self) -> impl Iterator<Item = Case> + use<> {
+        let slides = self.arm.slides;
+        CASES.into_iter().filter(move |case| case.takes(&slides))
+    }
+
+    /// Every way with this perturbation.
+    #[inline(always)]
+    fn ways<S: Simd>(
+        &self,
+        simd: S,
+        delta: f64,
+        targets: &[Target],
+        random: &mut Random,
+    ) -> Vec<Way> {
+        if !self.two_slides() {
+            let build = |case| self.build(simd, case, delta, targets, random);
+            return self
+                .cases()
+                .map(build)
+                .map(|elimination| Way::Resultant(Box::new(elimination)))
+                .collect();
+        }
+        (0..6)
+            .filter_map(|kept| {
+                Orientation::new(kept, &self.arm.slides, &self.loop_links(), delta, random)
+            })
+            .map(|orientation| Way::Orientation(Box::new(orientation)))
+            .collect()
+    }
+
+    /// The links of the loop, the last one without the target.
+    fn loop_links(&self) -> [Pose; 6] {
+        let link = |i: usize| self.arm.poses.get(i).copied();
+        std::array::from_fn(|i| link(i).unwrap_or_else(Pose::identity))
+    }
+
     /// Reachable poses; an error if the arm is singular at all of them.
     #[inline(always)]
     fn poses<S: Simd>(&self, simd: S) -> Result<Vec<Target>> {
@@ -149,18 +192,12 @@ impl Trial<'_> {
     fn build<S: Simd>(
         &self,
         simd: S,
-        case: super::cycle::Case,
+        case: Case,
         delta: f64,
         targets: &[Target],
         random: &mut Random,
     ) -> Elimination {
-        let loop_links: [Pose; 6] = std::array::from_fn(|i| {
-            self.arm
-                .poses
-                .get(i)
-                .copied()
-                .unwrap_or_else(Pose::identity)
-        });
+        let loop_links = self.loop_links();
         let of = case.links(&loop_links);
         let mut links = of.each_ref().map(Rigid::of);
         links[5] = Rigid::of(&of[5].inverse());
@@ -203,7 +240,7 @@ const SINGULAR_ARM: f64 = 1e-9;
 const BLUR_COST: f64 = 0.0003;
 
 /// Greedy: the first finds most, each further one most together with the ones before, with another kept joint preferred.
-fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Elimination>, usize) {
+fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Score>, Vec<Score>, usize) {
     let total: u32 = pools.iter().map(|pool| pool.count as u32).sum();
     let mut chosen: Vec<Score> = Vec::new();
     let mut union = [0_u64; POSES];
@@ -214,9 +251,7 @@ fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Elimination>, usize) {
                 .sum();
             let own: u32 = score.found.iter().map(|f| f.count_ones()).sum();
             let share = |count: u32| f64::from(count) / f64::from(total.max(1));
-            let repeated = chosen
-                .iter()
-                .any(|c| c.elimination.case.kept == score.elimination.case.kept);
+            let repeated = chosen.iter().any(|c| c.way.kept() == score.way.kept());
             let cost = BLUR_COST * (score.blur + f64::EPSILON).log10();
             share(covered) + share(own) - cost - if repeated { 0.5 } else { 0.0 }
         };
@@ -233,8 +268,7 @@ fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Elimination>, usize) {
         chosen.push(next);
     }
     let least = least(&chosen, pools);
-    let list = chosen.into_iter().map(|score| score.elimination);
-    (list.collect(), least)
+    (chosen, scores, least)
 }
 
 /// The smallest number of first eliminations, from 2 to 3, by which every root is found twice; 4 otherwise.

@@ -43,6 +43,7 @@ mod solutions;
 mod solver;
 mod spherical;
 mod swivel;
+mod three_slides;
 mod tolerances;
 mod wrist;
 

@@ -10,7 +10,7 @@ pub(crate) mod group;
 mod hessian;
 mod jacobian;
 pub mod kernel;
-mod lanes;
+pub(crate) mod lanes;
 mod measures;
 mod orientation;
 mod quaternion;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
-use super::{elimination, numeric, parallel, planar, spherical, swivel};
+use super::{elimination, numeric, parallel, planar, spherical, swivel, three_slides};
 use crate::spatial::Pose;
 
 /// A solver prepared for one arm.
@@ -71,8 +71,13 @@ pub const ROWS: &[Row] = &[
         prepare: planar::prepare,
     },
     Row {
+        name: "three-slides",
+        summary: "six joints of which three slide: the angles from the orientation, then the slides, two solutions",
+        prepare: three_slides::prepare,
+    },
+    Row {
         name: "general",
-        summary: "six axes in any position: elimination to one angle, all real solutions up to sixteen",
+        summary: "six axes in any position, up to two sliding: elimination to one angle, all real solutions up to sixteen",
         prepare: elimination::prepare,
     },
     Row {

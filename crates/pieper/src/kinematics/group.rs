@@ -103,7 +103,7 @@ fn several<S: Simd>(
             sizes = sizes
                 + Lanes {
                     simd,
-                    value: simd.abs_f64s(displacement.value),
+                    value: lanes::magnitude(simd, displacement.value),
                 };
             *turn = if step.turns {
                 lanes::sin_cos(displacement)

@@ -3,7 +3,6 @@
 use super::{check_closes, contains};
 use crate::support::random_joints;
 use pieper::describe::Robot;
-use pieper::ik::classify::Class;
 use pieper::ik::{Solutions, Solver};
 use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -102,7 +101,7 @@ pub(crate) fn sigma(solver: &Solver, q: &[f64]) -> f64 {
     jacobian.singular_values().min()
 }
 
-/// Runs `arms` random arms with `targets` each; those that the closed form of `name` does not take are left out.
+/// Runs `arms` random arms with `targets` each; those that the row `name` does not take are left out.
 fn check(name: &str, make: impl Fn(&mut fastrand::Rng) -> Vec<Row>, arms: usize, targets: usize) {
     let mut random = fastrand::Rng::with_seed(7);
     let (mut taken, mut missed, mut regular) = (0, 0, 0);
@@ -111,7 +110,7 @@ fn check(name: &str, make: impl Fn(&mut fastrand::Rng) -> Vec<Row>, arms: usize,
     for arm in 0..arms {
         let rows = make(&mut random);
         let solver = solver(&rows);
-        if solver.choice().name != name || solver.choice().class == Class::General {
+        if solver.choice().name != name {
             continue;
         }
         taken += 1;
@@ -193,4 +192,29 @@ fn spherical_wrists_behind_slides() {
         };
         check("spherical", make, 200, 30);
     }
+}
+
+/// Six joints of which as many as given slide, in every order.
+fn with_slides(name: &str, count: u32, arms: usize, targets: usize) {
+    for kinds in (0..63_u8).filter(|kinds| kinds.count_ones() == count) {
+        let make = |random: &mut fastrand::Rng| -> Vec<Row> {
+            (0..6).map(|k| row(random, kinds >> k & 1 == 0)).collect()
+        };
+        check(name, make, arms, targets);
+    }
+}
+
+#[test]
+fn one_slide_anywhere() {
+    with_slides("general", 1, 20, 20);
+}
+
+#[test]
+fn two_slides_anywhere() {
+    with_slides("general", 2, 10, 20);
+}
+
+#[test]
+fn three_slides_anywhere() {
+    with_slides("three-slides", 3, 40, 20);
 }

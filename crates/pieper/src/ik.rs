@@ -37,6 +37,7 @@ mod polynomial;
 mod position;
 mod reason;
 pub mod registry;
+mod search;
 mod sink;
 mod slides;
 mod solutions;
@@ -49,6 +50,7 @@ mod wrist;
 pub use arm::{Arm, MAX_JOINTS};
 pub use limits::{Ranking, rank, windings};
 pub use reason::{Part, Shortfall};
+pub use search::{Found, Options, Search};
 pub use sink::{Marks, Sink};
 pub use solutions::{
     Branch, Elbow, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Nearest, Shoulder, Solution,

@@ -160,38 +160,26 @@ impl Arm {
     ///
     /// Lengths are divided by the arm's extent, and a sliding joint is counted in extents, so that all entries are
     /// comparable.
+    #[inline]
     pub(super) fn pose_and_columns(&self, q: &JointVector, columns: &mut Columns) -> Pose {
-        *columns = [[0.0; 6]; MAX_JOINTS];
-        let canonical = self.chain.canonical();
-        let mut frame = canonical.base;
-        let mut axes = [(Vector3::zeros(), Vector3::zeros()); MAX_JOINTS];
-        for (index, drive) in self.drives.iter().enumerate() {
-            let z = frame.rotation.matrix().column(2).into_owned();
-            axes[index] = (z, frame.translation.vector);
-            let value = drive.displacement(&q[..]);
-            if self.turns[index] {
-                let turn = crate::spatial::turn(&Vector3::z_axis(), value.sin_cos());
-                frame.rotation *= turn.rotation;
+        let dof = self.chain.dof();
+        let (q, columns) = (&q[..dof], &mut columns[..dof]);
+        let Ok(pose) = kinematics::pose_and_columns(&self.chain, q, columns) else {
+            // The joint vector has the chain's length: a value is not finite.
+            return crate::spatial::shift(Vector3::repeat(f64::NAN));
+        };
+        for (column, variable) in columns.iter_mut().zip(self.chain.variables()) {
+            let scales = if variable.kind.is_angular() {
+                [1.0 / self.extent, 1.0]
             } else {
-                frame.translation.vector += z * value;
-            }
-            frame *= self.links[index];
-        }
-        for (index, drive) in self.drives.iter().enumerate() {
-            let (z, origin) = axes[index];
-            let (linear, angular) = if self.turns[index] {
-                let lever = (frame.translation.vector - origin) / self.extent;
-                (z.cross(&lever) * drive.factor, z * drive.factor)
-            } else {
-                (z * drive.factor, Vector3::zeros())
+                [1.0, self.extent]
             };
-            let column = &mut columns[drive.variable];
             for i in 0..3 {
-                column[i] += linear[i];
-                column[i + 3] += angular[i];
+                column[i] *= scales[0];
+                column[i + 3] *= scales[1];
             }
         }
-        frame
+        pose
     }
 
     /// One unit of a variable as the columns count it.

@@ -2,7 +2,7 @@
 
 use super::arm::{Arm, residuals};
 use super::curve;
-use super::descent::{self, newton};
+use super::descent::{self, ROUNDING, Room, newton};
 use super::pending::Pending;
 use super::reason::{Part, Shortfall};
 use super::solutions::{
@@ -173,7 +173,7 @@ impl<'a> Sink<'a> {
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
             if self.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
                 // Near a singularity Newton's steps overshoot; damped ones do not.
-                let near = descent::damped(self.arm, &start, self.pose, false);
+                let near = descent::damped(self.arm, &start, self.pose, Room::Free, ROUNDING);
                 (q, _) = newton(self.arm, &near.q, self.pose, None);
             }
             self.arm.wrap(&mut q);
@@ -327,8 +327,8 @@ impl<'a> Sink<'a> {
     #[cold]
     fn rescue(&mut self) {
         for index in 0..RESCUE_STARTS {
-            let start = super::numeric::start(self.arm, index);
-            let mut found = descent::damped(self.arm, &start, self.pose, false);
+            let start = super::numeric::start(self.arm, index, Room::Free);
+            let mut found = descent::damped(self.arm, &start, self.pose, Room::Free, ROUNDING);
             self.arm.wrap(&mut found.q);
             if found.error < TOLERANCES.class {
                 let marks = Marks {

@@ -158,7 +158,7 @@ impl Solver {
 /// How far from orthonormal a pose may be: what callers pass was projected or computed.
 const ORTHONORMAL: f64 = 1e-6;
 
-fn check(pose: &Pose) -> Result<()> {
+pub(super) fn check(pose: &Pose) -> Result<()> {
     let (m, t) = (pose.rotation.matrix(), &pose.translation.vector);
     // A NaN makes the sum a NaN, and every comparison with it false.
     let sum: f64 = m.iter().chain(t.iter()).map(|x| x.abs()).sum();

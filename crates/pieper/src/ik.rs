@@ -25,6 +25,8 @@ mod curve;
 mod dense;
 mod descent;
 mod elimination;
+mod extend;
+mod fewer;
 pub mod general;
 mod limits;
 mod nearest;

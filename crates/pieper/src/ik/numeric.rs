@@ -13,6 +13,9 @@ use super::sink::{Marks, Sink};
 use super::solutions::{Branch, JointVector};
 use crate::spatial::Pose;
 
+/// The row's name.
+pub(super) const NAME: &str = "numeric";
+
 /// Deterministic restarts of the damped descent. Finds what it finds: no proof of completeness.
 #[derive(Clone, Copy, Debug)]
 struct Numeric {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
-use super::{elimination, numeric, parallel, planar, spherical, swivel};
+use super::{elimination, fewer, numeric, parallel, planar, spherical, swivel};
 use crate::spatial::Pose;
 
 /// A solver prepared for one arm.
@@ -71,12 +71,17 @@ pub const ROWS: &[Row] = &[
         prepare: planar::prepare,
     },
     Row {
+        name: "fewer",
+        summary: "up to five joints: joints that the arm does not have make up six, and must come out at zero",
+        prepare: fewer::prepare,
+    },
+    Row {
         name: "general",
         summary: "six axes in any position: elimination to one angle, all real solutions up to sixteen",
         prepare: elimination::prepare,
     },
     Row {
-        name: "numeric",
+        name: numeric::NAME,
         summary: "damped least squares from many starts: any chain, without a proof of completeness",
         prepare: numeric::prepare,
     },

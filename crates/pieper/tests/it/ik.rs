@@ -1,6 +1,7 @@
 //! Inverse kinematics: forward kinematics closes, and the joint values that made a pose are among the answers.
 
 mod classes;
+mod fewer;
 mod hair;
 mod random_arms;
 mod singular;

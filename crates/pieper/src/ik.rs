@@ -29,6 +29,7 @@ mod extend;
 mod fewer;
 pub mod general;
 mod limits;
+mod locked;
 mod nearest;
 mod normal;
 mod numeric;

@@ -7,7 +7,7 @@
 use super::TOLERANCES;
 use super::angle::wrap;
 use super::arm::{Arm, Columns, MAX_JOINTS};
-use super::dense::symmetric_eigen;
+use super::dense::{LeastSquares, symmetric_eigen};
 use super::descent::newton;
 use super::solutions::JointVector;
 use crate::spatial::Pose;
@@ -78,7 +78,7 @@ fn advance(
     for (j, value) in start.iter_mut().enumerate().take(arm.chain().dof()) {
         *value += h * direction[j] * arm.unit(j);
     }
-    let (next, error) = newton(arm, &start, target, Some(direction));
+    let (next, error) = newton(arm, &start, target, Some(direction), ON_CURVE);
     let moved = norm(&difference(arm, q, &next));
     (error < TOLERANCES.closes && moved < 3.0 * h.abs()).then_some(next)
 }
@@ -92,16 +92,56 @@ pub(super) fn grows(arm: &Arm, q: &JointVector, target: &Pose) -> Option<JointVe
         .then_some(direction)
 }
 
-/// Follows the curve from `member` until it closes, ends, or `visit` returns false; both ways if it ends.
+/// Newton's method on a curve ends at this error.
+const ON_CURVE: f64 = 1e-14;
+
+/// The direction in which a curve goes on at `q`, given one that is roughly it: the null direction of the Jacobian with
+/// a given part along that.
+fn continued(arm: &Arm, q: &JointVector, heading: &JointVector) -> JointVector {
+    let dof = arm.chain().dof();
+    if dof > 7 {
+        // The null directions are many: the given one is kept.
+        return *heading;
+    }
+    let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
+    arm.pose_and_columns(q, &mut columns);
+    let mut problem = LeastSquares::new(dof);
+    for i in 0..6 {
+        problem.add(|j| columns[j][i], 0.0);
+    }
+    problem.add(|j| heading[j], 1.0);
+    let next = problem.solve();
+    let length = norm(&next);
+    if length.is_finite() && length > 0.5 {
+        return next.map(|x| x / length);
+    }
+    let (tangent, _) = tangent(arm, q);
+    let sign = 1.0_f64.copysign(dot(&tangent, heading));
+    tangent.map(|x| sign * x)
+}
+
+/// How following a curve ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Followed {
+    /// It came back to where it began.
+    Closed,
+    /// It has ends, or goes on too far.
+    Open,
+    /// The visitor had enough.
+    Left,
+}
+
+/// Follows the curve from `member` until it closes, ends, or `visit` returns false; both ways if it ends. The visitor is
+/// told whether a point is the first of its way; `member` itself is visited first.
 pub(super) fn follow(
     arm: &Arm,
     member: &JointVector,
     direction: &JointVector,
     target: &Pose,
-    mut visit: impl FnMut(&JointVector) -> bool,
-) {
-    if !visit(member) {
-        return;
+    mut visit: impl FnMut(&JointVector, bool) -> bool,
+) -> Followed {
+    if !visit(member, false) {
+        return Followed::Left;
     }
     for sign in [1.0, -1.0] {
         let mut heading = direction.map(|x| sign * x);
@@ -113,20 +153,16 @@ pub(super) fn follow(
             let Some(next) = next else { break };
             let home = norm(&difference(arm, &next, member));
             if step > 2 && home < 0.8 * STRIDE {
-                return;
+                return Followed::Closed;
             }
-            if !visit(&next) {
-                return;
+            if !visit(&next, step == 0) {
+                return Followed::Left;
             }
-            let (tangent, _) = tangent(arm, &next);
-            heading = if dot(&tangent, &heading) < 0.0 {
-                tangent.map(|x| -x)
-            } else {
-                tangent
-            };
+            heading = continued(arm, &next, &heading);
             q = next;
         }
     }
+    Followed::Open
 }
 
 /// Whether the curve through `member` passes through `q`.
@@ -138,7 +174,7 @@ pub(super) fn passes(
     q: &JointVector,
 ) -> bool {
     let mut met = false;
-    follow(arm, member, direction, target, |at| {
+    follow(arm, member, direction, target, |at, _| {
         let gap = difference(arm, at, q);
         if norm(&gap) < STRIDE {
             met = norm(&difference(arm, &closest(arm, at, target, q), q)) < SAME_POINT;

@@ -12,7 +12,8 @@ const NEWTON_STEPS: usize = 24;
 /// The longest step of Newton's method, radians or extents: beyond, the linear model means nothing.
 const LONGEST: f64 = 0.5;
 
-/// Improves a joint vector that is nearly a solution, by Newton's method; the best vector met, and its error.
+/// Improves a joint vector that is nearly a solution, by Newton's method, until the error is below `enough` or rounding is
+/// reached; the best vector met, and its error.
 ///
 /// With a `border` (a direction), steps stay perpendicular to it: this keeps the method regular on a curve of
 /// solutions whose tangent it is. Steps are least-squares ones by reflections, which keep all digits near singular
@@ -22,6 +23,7 @@ pub(super) fn newton(
     start: &JointVector,
     target: &Pose,
     border: Option<&JointVector>,
+    enough: f64,
 ) -> (JointVector, f64) {
     let mut q = *start;
     let (mut best, mut least) = (q, f64::INFINITY);
@@ -39,7 +41,7 @@ pub(super) fn newton(
             (best, least) = (q, error);
         }
         // Two steps without real progress: rounding is reached, or there is nothing to reach.
-        if error < f64::EPSILON || idle > 2 {
+        if error < enough || idle > 2 {
             break;
         }
         let mut problem = LeastSquares::new(arm.chain().dof());

@@ -102,6 +102,50 @@ pub(super) fn held(chain: &Chain, variable: usize, value: f64) -> Result<Chain> 
     Chain::new(parts)
 }
 
+/// The chain without its first or last moving joint and the link that this carries: up to where it stands.
+///
+/// # Errors
+/// A model error if no other joint moves.
+pub(super) fn without_end(chain: &Chain, end: Place) -> Result<Chain> {
+    let canonical = chain.canonical();
+    let count = canonical.steps.len();
+    let (gone, kept) = match end {
+        Place::Base => (0, 1..count),
+        Place::Tool => (count - 1, 0..count - 1),
+    };
+    let gone = canonical.steps[gone].drive.variable;
+    let mut variables = chain.variables().to_vec();
+    variables.remove(gone);
+    let joint = |index: usize| {
+        let step = &canonical.steps[index];
+        let variable = step.drive.variable;
+        let drive = Drive {
+            variable: variable - usize::from(variable > gone),
+            ..step.drive
+        };
+        Joint {
+            name: format!("{}", index + 1),
+            link: format!("{}", index + 1),
+            before: Pose::identity(),
+            motion: if step.turns {
+                Motion::turn_z(drive)
+            } else {
+                Motion::slide_z(drive)
+            },
+            after: canonical.link(index),
+        }
+    };
+    Chain::new(ChainParts {
+        variables,
+        joints: kept.map(joint).collect(),
+        base: match end {
+            Place::Base => Pose::identity(),
+            Place::Tool => canonical.base,
+        },
+        tool: Pose::identity(),
+    })
+}
+
 /// Angles at which extra axes stand to those before them: any that make no right angle with anything.
 const TWISTS: [f64; 3] = [0.7, 0.9, 1.1];
 

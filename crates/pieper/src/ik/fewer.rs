@@ -155,7 +155,7 @@ impl Fewer {
         found: &mut Proposals,
     ) {
         let mut last: [Option<(JointVector, f64)>; 2] = [None; 2];
-        curve::follow(&self.six, member, heading, pose, |q| {
+        curve::follow(&self.six, member, heading, pose, |q, _| {
             let here = (*q, self.off(q));
             if let [before, Some(middle)] = last
                 && middle.1 < OFF_ON_CURVE

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
-use super::{elimination, fewer, numeric, parallel, planar, spherical, swivel};
+use super::{elimination, fewer, locked, numeric, parallel, planar, spherical, swivel};
 use crate::spatial::Pose;
 
 /// A solver prepared for one arm.
@@ -69,6 +69,11 @@ pub const ROWS: &[Row] = &[
         name: "planar",
         summary: "all axes parallel (SCARA, planar arms): a triangle, an angle and a height",
         prepare: planar::prepare,
+    },
+    Row {
+        name: "locked",
+        summary: "any seven joints: families over the first or the last, the other six solved by one of these rows",
+        prepare: locked::prepare,
     },
     Row {
         name: "fewer",

@@ -119,7 +119,7 @@ fn find(arm: &Arm, pose: &Pose, seed: &JointVector, options: &Options) -> Found 
     }
     if least > enough && !options.limits {
         // Near a singular pose damped steps are slow.
-        (best, _) = newton(arm, &best, pose, None);
+        (best, _) = newton(arm, &best, pose, None, f64::EPSILON);
     }
     let nearest = Nearest::of(arm, &best, pose);
     Found {

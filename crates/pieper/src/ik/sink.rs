@@ -169,12 +169,12 @@ impl<'a> Sink<'a> {
         let rough = |turn: f64, shift: f64, limit: f64| !(turn <= limit && shift <= limit * extent);
         if rough(turn, shift, TOLERANCES.rounding) {
             let start = q;
-            (q, _) = newton(self.arm, &start, self.pose, None);
+            (q, _) = newton(self.arm, &start, self.pose, None, f64::EPSILON);
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
             if self.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
                 // Near a singularity Newton's steps overshoot; damped ones do not.
                 let near = descent::damped(self.arm, &start, self.pose, Room::Free, ROUNDING);
-                (q, _) = newton(self.arm, &near.q, self.pose, None);
+                (q, _) = newton(self.arm, &near.q, self.pose, None, f64::EPSILON);
             }
             self.arm.wrap(&mut q);
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
@@ -251,7 +251,7 @@ impl<'a> Sink<'a> {
         // The line between two points of a curved valley leaves its floor: Newton's method leads back to it.
         for improve in [false, true] {
             if improve {
-                (middle, _) = newton(self.arm, &middle, self.pose, None);
+                (middle, _) = newton(self.arm, &middle, self.pose, None, f64::EPSILON);
             }
             self.arm.wrap(&mut middle);
             let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);

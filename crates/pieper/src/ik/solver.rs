@@ -113,7 +113,7 @@ impl Solver {
     pub fn samples(&self, family: &Family, count: usize) -> Vec<Vec<f64>> {
         let pose = self.arm.pose(&family.member);
         let mut points: Vec<JointVector> = Vec::new();
-        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q| {
+        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q, _| {
             points.push(*q);
             true
         });
@@ -143,7 +143,7 @@ impl Solver {
                 .sum()
         };
         let (mut best, mut least) = (family.member, f64::INFINITY);
-        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q| {
+        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q, _| {
             if distance(q) < least {
                 (best, least) = (*q, distance(q));
             }

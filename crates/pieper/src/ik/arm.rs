@@ -26,6 +26,8 @@ pub struct Arm {
     first_from_world: Pose,
     size: f64,
     extent: f64,
+    /// The length that counts as much as a radian; the extent, unless positions weigh more.
+    scale: f64,
     plain: bool,
 }
 
@@ -61,16 +63,26 @@ impl Arm {
         let size = positive(between_axes, positive(whole, 1.0));
         let one_to_one = |step: &Step| step.drive.factor.abs() == 1.0 || !step.turns;
         let plain = chain.dof() == count && canonical.steps.iter().all(one_to_one);
+        let extent = whole.max(size) + canonical.base.translation.vector.norm();
         Ok(Self {
             plain,
             size,
-            extent: whole.max(size) + canonical.base.translation.vector.norm(),
+            extent,
+            scale: extent,
             turns: canonical.steps.iter().map(|step| step.turns).collect(),
             drives: canonical.steps.iter().map(|step| step.drive).collect(),
             first_from_world: canonical.base.inverse(),
             chain: chain.clone(),
             links,
         })
+    }
+
+    /// The same arm, in whose searches a miss of the position counts so many times more.
+    pub(super) fn weighing_position(self, times: f64) -> Self {
+        Self {
+            scale: self.scale / times,
+            ..self
+        }
     }
 
     /// The chain.
@@ -170,9 +182,9 @@ impl Arm {
         };
         for (column, variable) in columns.iter_mut().zip(self.chain.variables()) {
             let scales = if variable.kind.is_angular() {
-                [1.0 / self.extent, 1.0]
+                [1.0 / self.scale, 1.0]
             } else {
-                [1.0, self.extent]
+                [self.extent / self.scale, self.extent]
             };
             for i in 0..3 {
                 column[i] *= scales[0];
@@ -193,7 +205,7 @@ impl Arm {
 
     /// What is missing from `pose` to `target`: position in extents, then the rotation vector.
     pub(super) fn missing(&self, pose: &Pose, target: &Pose) -> [f64; 6] {
-        let step = (target.translation.vector - pose.translation.vector) / self.extent;
+        let step = (target.translation.vector - pose.translation.vector) / self.scale;
         let turn = rotation_between(pose.rotation.matrix(), target.rotation.matrix());
         [step.x, step.y, step.z, turn.x, turn.y, turn.z]
     }

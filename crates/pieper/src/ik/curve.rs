@@ -67,7 +67,7 @@ pub(super) fn tangent(arm: &Arm, q: &JointVector) -> (JointVector, f64) {
 }
 
 /// A step of length `h` from `q` along `direction`, back on the curve.
-fn advance(
+pub(super) fn advance(
     arm: &Arm,
     q: &JointVector,
     direction: &JointVector,
@@ -177,7 +177,11 @@ pub(super) fn passes(
     follow(arm, member, direction, target, |at, _| {
         let gap = difference(arm, at, q);
         if norm(&gap) < STRIDE {
-            met = norm(&difference(arm, &closest(arm, at, target, q), q)) < SAME_POINT;
+            met = norm(&difference(
+                arm,
+                &closest(arm, at, target, q, MAX_JOINTS),
+                q,
+            )) < SAME_POINT;
         }
         !met
     });
@@ -188,12 +192,25 @@ pub(super) fn passes(
 /// point only half of the digits are determined.
 const SAME_POINT: f64 = 1e-6;
 
-/// Walks along the curve from `at` to where it is perpendicular to the direction of `q`.
-pub(super) fn closest(arm: &Arm, at: &JointVector, target: &Pose, q: &JointVector) -> JointVector {
+/// Walks along the curve from `at` to where it is perpendicular to the direction of `q`, of which the first `count`
+/// variables matter.
+pub(super) fn closest(
+    arm: &Arm,
+    at: &JointVector,
+    target: &Pose,
+    q: &JointVector,
+    count: usize,
+) -> JointVector {
     let mut at = *at;
     for _ in 0..30 {
         let (tangent, _) = tangent(arm, &at);
-        let along = dot(&tangent, &difference(arm, &at, q)).clamp(-STRIDE, STRIDE);
+        let mut step = difference(arm, &at, q);
+        step[count..].fill(0.0);
+        let seen: f64 = tangent[..count].iter().map(|x| x * x).sum();
+        if seen < TOLERANCES.exact {
+            break;
+        }
+        let along = (dot(&tangent, &step) / seen).clamp(-STRIDE, STRIDE);
         if along.abs() < TOLERANCES.exact {
             break;
         }

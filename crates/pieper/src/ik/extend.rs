@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::goal::Goal;
 use super::normal::Normal;
 use crate::error::Result;
 use crate::model::{Chain, ChainParts, Drive, Joint, JointKind, Motion, Variable};
@@ -144,6 +145,60 @@ pub(super) fn without_end(chain: &Chain, end: Place) -> Result<Chain> {
         },
         tool: Pose::identity(),
     })
+}
+
+/// The chain with joints that make up for the parts of a pose which a goal leaves open: any pose that meets the goal is
+/// one that the longer chain reaches.
+///
+/// - The position: three turns through the tool's point.
+/// - Position and axis: a turn about the tool's z axis.
+/// - The axis: that turn, and slides of the base along x, y, z. Where the chain's own links are does not matter then, so
+///   they are all put at the origin.
+pub(super) fn open_to(chain: &Chain, goal: Goal) -> Result<Chain> {
+    let spin = Extra {
+        place: Place::Tool,
+        frame: Pose::identity(),
+        turns: true,
+    };
+    match goal {
+        Goal::Pose => Ok(chain.clone()),
+        Goal::PositionAxis => extended(chain, &[spin]),
+        Goal::Position => {
+            let mut frame = Pose::identity();
+            extended(
+                chain,
+                &TWISTS.map(|twist| {
+                    let place = Extra { frame, ..spin };
+                    frame *= turn(&Vector3::z_axis(), twist.sin_cos())
+                        * turn(&Vector3::x_axis(), (1.0, 0.0));
+                    place
+                }),
+            )
+        }
+        Goal::Axis => {
+            let mut parts = chain.parts().clone();
+            for pose in [&mut parts.base, &mut parts.tool].into_iter().chain(
+                parts
+                    .joints
+                    .iter_mut()
+                    .flat_map(|joint| [&mut joint.before, &mut joint.after]),
+            ) {
+                pose.translation.vector = Vector3::zeros();
+            }
+            // z to x, z to y, z.
+            let axes = [
+                turn(&Vector3::y_axis(), (1.0, 0.0)),
+                turn(&Vector3::x_axis(), (-1.0, 0.0)),
+                Pose::identity(),
+            ];
+            let slides = axes.map(|frame| Extra {
+                place: Place::Base,
+                frame,
+                turns: false,
+            });
+            extended(&Chain::new(parts)?, &[&slides[..], &[spin]].concat())
+        }
+    }
 }
 
 /// Angles at which extra axes stand to those before them: any that make no right angle with anything.

@@ -8,6 +8,7 @@ use super::reason::{Part, Shortfall};
 use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
 };
+use super::wrist::Method;
 use super::{MAX_JOINTS, TOLERANCES};
 use crate::kinematics::batch::GROUP;
 use crate::spatial::Pose;
@@ -42,6 +43,7 @@ pub struct Sink<'a> {
     arm: &'a Arm,
     pose: &'a Pose,
     slack: f64,
+    method: Method,
     out: &'a mut Solutions,
     shortfall: Option<Shortfall>,
     rejected: bool,
@@ -55,11 +57,21 @@ impl<'a> Sink<'a> {
             arm,
             pose,
             slack,
+            method: Method::Matrix,
             out,
             shortfall: None,
             rejected: false,
             pending: Pending::new(),
         }
+    }
+
+    pub(super) fn with_method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// How rotations are to be represented where a row knows more than one way.
+    pub fn method(&self) -> Method {
+        self.method
     }
 
     /// The arm.
@@ -312,6 +324,7 @@ impl<'a> Sink<'a> {
         if self.out.family_count < MAX_FAMILIES {
             self.out.families[self.out.family_count] = Family {
                 member: solution.q,
+                at: solution.q,
                 heading,
                 free,
                 dof: solution.dof,

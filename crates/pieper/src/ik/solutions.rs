@@ -154,7 +154,9 @@ impl Solution {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Family {
     pub(super) member: JointVector,
-    /// In the units of the columns, to follow the curve by.
+    /// The member as the joint vector of the arm at work.
+    pub(super) at: JointVector,
+    /// Of the arm at work, in the units of the columns, to follow the curve by.
     pub(super) heading: JointVector,
     /// In radians and metres.
     pub(super) free: JointVector,
@@ -178,6 +180,7 @@ impl Family {
 
     pub(super) const EMPTY: Self = Self {
         member: [0.0; MAX_JOINTS],
+        at: [0.0; MAX_JOINTS],
         heading: [0.0; MAX_JOINTS],
         free: [0.0; MAX_JOINTS],
         dof: 0,

@@ -44,16 +44,7 @@ fn norm(a: &JointVector) -> f64 {
 
 /// The unit direction in which the pose changes least, in the units of the variables' columns, and that least change.
 pub(super) fn tangent(arm: &Arm, q: &JointVector) -> (JointVector, f64) {
-    let n = arm.chain().dof();
-    let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
-    arm.pose_and_columns(q, &mut columns);
-    let mut gram = [[0.0; MAX_JOINTS]; MAX_JOINTS];
-    for i in 0..n {
-        for j in 0..n {
-            gram[i][j] = (0..6).map(|k| columns[i][k] * columns[j][k]).sum();
-        }
-    }
-    let (values, vectors) = symmetric_eigen(gram, n);
+    let (values, vectors) = gram(arm, q);
     let mut direction = vectors[0];
     // The sign: the largest entry is positive.
     let largest = direction.iter().fold(
@@ -64,6 +55,29 @@ pub(super) fn tangent(arm: &Arm, q: &JointVector) -> (JointVector, f64) {
         direction.iter_mut().for_each(|x| *x = -*x);
     }
     (direction, values[0].max(0.0).sqrt())
+}
+
+/// Whether solutions around `q` fill a surface rather than a curve: more than seven joints, or seven of which two
+/// directions keep the pose.
+pub(super) fn is_surface(arm: &Arm, q: &JointVector) -> bool {
+    /// A rate of change of the pose that is none.
+    const NONE: f64 = 1e-7;
+    let dof = arm.chain().dof();
+    dof > 7 || dof == 7 && gram(arm, q).0[1] < NONE * NONE
+}
+
+/// Eigenvalues, smallest first, and eigenvectors of `J^T J`.
+fn gram(arm: &Arm, q: &JointVector) -> ([f64; MAX_JOINTS], [[f64; MAX_JOINTS]; MAX_JOINTS]) {
+    let n = arm.chain().dof();
+    let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
+    arm.pose_and_columns(q, &mut columns);
+    let mut gram = [[0.0; MAX_JOINTS]; MAX_JOINTS];
+    for i in 0..n {
+        for j in 0..n {
+            gram[i][j] = (0..6).map(|k| columns[i][k] * columns[j][k]).sum();
+        }
+    }
+    symmetric_eigen(gram, n)
 }
 
 /// A step of length `h` from `q` along `direction`, back on the curve.
@@ -118,6 +132,27 @@ fn continued(arm: &Arm, q: &JointVector, heading: &JointVector) -> JointVector {
     let (tangent, _) = tangent(arm, q);
     let sign = 1.0_f64.copysign(dot(&tangent, heading));
     tangent.map(|x| sign * x)
+}
+
+/// The part of a step that keeps the pose: null directions of the Jacobian as close to it as they come in the first
+/// `count` variables.
+pub(super) fn along(arm: &Arm, q: &JointVector, step: &JointVector, count: usize) -> JointVector {
+    /// How much more the pose counts, and how much less the variables that do not matter.
+    const KEEP: f64 = 1e6;
+    const IDLE: f64 = 1e-3;
+    let dof = arm.chain().dof();
+    let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
+    arm.pose_and_columns(q, &mut columns);
+    let mut problem = LeastSquares::new(dof);
+    for i in 0..6 {
+        problem.add(|j| KEEP * columns[j][i], 0.0);
+    }
+    for (k, &wanted) in step.iter().enumerate().take(dof) {
+        let weight = if k < count { 1.0 } else { IDLE };
+        let entry = |j: usize| if j == k { weight } else { 0.0 };
+        problem.add(entry, if k < count { wanted } else { 0.0 });
+    }
+    problem.solve()
 }
 
 /// How following a curve ended.

@@ -1,6 +1,6 @@
 //! Seven joints: one at an end is held at many values, the other six are solved; what is found lies on families.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::arm::{Arm, MAX_JOINTS};
@@ -37,7 +37,7 @@ struct Locked {
 }
 
 /// Values of the locked joint.
-const SLICES: usize = 24;
+const SLICES: usize = 96;
 
 /// Test joint vectors for the choice of the locked joint.
 const TRIALS: usize = 16;
@@ -141,23 +141,33 @@ impl Locked {
     }
 }
 
-/// What was found at one value, and whether a family passes it.
+/// What was found at one value, and whether a family passes it. Small: there are many.
 #[derive(Clone, Copy)]
 struct Slice {
-    list: [(JointVector, Branch); MAX_SOLUTIONS],
+    list: [([f64; 7], Branch); MAX_SOLUTIONS],
     passed: [bool; MAX_SOLUTIONS],
     len: usize,
 }
 
-/// A family passes a solution if it is closer than this to the line between two of its points.
-const PASSES: f64 = 0.1;
+impl Slice {
+    fn q(&self, place: usize) -> JointVector {
+        let mut q = [0.0; MAX_JOINTS];
+        q[..7].copy_from_slice(&self.list[place].0);
+        q
+    }
+}
+
+/// A family passes a solution if it is closer than this to the line between two of its points, or to that line
+/// prolonged by this part at both ends: near a fold, points may lie on one side of a value that the family touches.
+const PASSES: f64 = 0.06;
+const BEYOND: f64 = 0.3;
 
 impl Prepared for Locked {
     fn solve(&self, _: &Pose, sink: &mut Sink<'_>) {
         let (arm, pose) = (sink.arm(), sink.pose());
         let mut out = Solutions::default();
         let mut slices = [Slice {
-            list: [([0.0; MAX_JOINTS], Branch::NONE); MAX_SOLUTIONS],
+            list: [([0.0; 7], Branch::NONE); MAX_SOLUTIONS],
             passed: [false; MAX_SOLUTIONS],
             len: 0,
         }; SLICES];
@@ -165,7 +175,8 @@ impl Prepared for Locked {
             self.at(self.value(index), pose, &mut out);
             slice.len = out.len;
             for (kept, solution) in slice.list.iter_mut().zip(&out) {
-                *kept = (solution.q, solution.branch);
+                kept.0.copy_from_slice(&solution.q[..7]);
+                kept.1 = solution.branch;
             }
         }
         // From the middle of the joint's range outwards.
@@ -180,7 +191,7 @@ impl Prepared for Locked {
                 if slices[index].passed[place] {
                     continue;
                 }
-                let (q, branch) = slices[index].list[place];
+                let (q, branch) = (slices[index].q(place), slices[index].list[place].1);
                 sink.push_joints(q, branch, Marks::PLAIN);
                 let (heading, _) = curve::tangent(arm, &q);
                 let mut last = q;
@@ -210,21 +221,27 @@ impl Locked {
         if width == 0.0 {
             return;
         }
-        for (index, slice) in slices.iter_mut().enumerate() {
-            let mut ahead = self.value(index) - begin;
-            if self.turns {
-                ahead -= TAU * (ahead / TAU).round();
-            }
-            let part = ahead / width;
-            if !(-0.5..=1.5).contains(&part) {
+        let [lower, upper] = self.range;
+        let place = |value: f64| (value - lower) / (upper - lower) * SLICES as f64 - 0.5;
+        let ends = [begin - BEYOND * width, begin + (1.0 + BEYOND) * width].map(place);
+        let first = ends[0].min(ends[1]).ceil() as i64;
+        let last = ends[0].max(ends[1]).floor() as i64;
+        for index in first..=last.min(first + SLICES as i64) {
+            let turns = index.div_euclid(SLICES as i64);
+            if turns != 0 && !self.turns {
                 continue;
             }
+            let slice = index.rem_euclid(SLICES as i64) as usize;
+            let value = self.value(slice) + turns as f64 * (upper - lower);
+            let part = (value - begin) / width;
             let mut at = *from;
             for (j, value) in at.iter_mut().enumerate().take(arm.chain().dof()) {
                 *value += part * step[j] * arm.unit(j);
             }
-            for ((q, _), passed) in slice.list[..slice.len].iter().zip(&mut slice.passed) {
-                *passed |= largest(&curve::difference(arm, &at, q)) < PASSES;
+            let slice = &mut slices[slice];
+            for place in 0..slice.len {
+                let gap = largest(&curve::difference(arm, &at, &slice.q(place)));
+                slice.passed[place] |= gap < PASSES;
             }
         }
     }

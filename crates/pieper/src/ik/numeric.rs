@@ -71,6 +71,10 @@ impl Prepared for Numeric {
                 free,
             };
             sink.push_joints(q, branch, marks);
+            if self.redundant && curve::is_surface(arm, &q) {
+                // One surface, as far as a search can tell.
+                break;
+            }
         }
         if least.is_finite() {
             sink.fail(Part::NothingFound, least);

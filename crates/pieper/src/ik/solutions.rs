@@ -149,6 +149,9 @@ impl Solution {
 
 /// A curve of solutions: one member and the direction in which it goes on there.
 ///
+/// Where more than one joint is free beyond what the pose needs, solutions fill surfaces: then one family is listed, with
+/// one of its directions, for all of them.
+///
 /// [`Solver::samples`](super::Solver::samples) follows the curve; [`Solver::nearest_member`](super::Solver::nearest_member)
 /// finds its point closest to given joint values.
 #[derive(Clone, Copy, Debug, PartialEq)]

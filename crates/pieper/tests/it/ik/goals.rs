@@ -61,7 +61,7 @@ fn check_isolated(goal: Goal, joints: usize) {
             }
         }
     }
-    assert!(regular > 200, "{goal:?} {joints}: {regular}");
+    assert!(regular > 150, "{goal:?} {joints}: {regular}");
     assert_eq!(missed, 0, "{goal:?} {joints}: of {regular}, last {first}");
 }
 
@@ -90,7 +90,17 @@ fn more_joints_than_conditions() {
             let solver = asked(&chain, goal);
             let mut on_one = 0;
             for _ in 0..6 {
-                let q = random_joints(&chain, &mut random);
+                let mut q = random_joints(&chain, &mut random);
+                if goal == Goal::Axis {
+                    // What slides does not matter, and stands as close to zero as it may.
+                    for (value, variable) in q.iter_mut().zip(chain.variables()) {
+                        if !variable.kind.is_angular() {
+                            *value = variable
+                                .limits
+                                .map_or(0.0, |l| 0.0_f64.clamp(l.lower(), l.upper()));
+                        }
+                    }
+                }
                 let pose = tool_pose(&chain, &q).unwrap();
                 let found = solver.solve(&pose).unwrap();
                 let text = format!("{id} {goal:?} {} {q:?}", solver.choice().name);
@@ -115,7 +125,6 @@ fn more_joints_than_conditions() {
                 }
                 on_one += usize::from(contains(&solver, &q, &found, 1e-6));
             }
-            println!("{id} {goal:?} {}: {on_one} of 6", solver.choice().name);
             assert!(
                 on_one >= 5,
                 "{id} {goal:?} {}: {on_one} of 6",

@@ -57,7 +57,6 @@ fn limits_are_kept() {
             reached += usize::from(found.reached);
         }
     }
-    println!("{reached} of {count}");
     assert!(reached * 100 >= count * 98, "{reached} of {count}");
 }
 

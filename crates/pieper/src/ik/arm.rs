@@ -211,6 +211,15 @@ impl Arm {
     }
 }
 
+/// The angle between two orientations.
+pub(super) fn angle_between(from: &Matrix3<f64>, to: &Matrix3<f64>) -> f64 {
+    // Of the relative rotation: the length of its skew part is twice the sine, its trace one more than twice the cosine.
+    let relative = from.transpose() * to;
+    let skew = relative - relative.transpose();
+    let sine = Vector3::new(skew[(2, 1)], skew[(0, 2)], skew[(1, 0)]).norm();
+    sine.atan2(relative.trace() - 1.0)
+}
+
 /// The rotation vector, in the common outer frame, that turns `from` into `to`.
 pub(super) fn rotation_between(from: &Matrix3<f64>, to: &Matrix3<f64>) -> Vector3<f64> {
     let column = |m: &Matrix3<f64>, j: usize| m.column(j).into_owned();

@@ -200,23 +200,23 @@ pub(super) fn follow(
     Followed::Open
 }
 
-/// Whether the curve through `member` passes through `q`.
+/// Whether the curve through `member` passes through `q`, as far as the first `count` variables tell.
 pub(super) fn passes(
     arm: &Arm,
-    member: &JointVector,
-    direction: &JointVector,
+    (member, heading): (&JointVector, &JointVector),
     target: &Pose,
     q: &JointVector,
+    count: usize,
 ) -> bool {
+    let gap = |at: &JointVector| {
+        let mut gap = difference(arm, at, q);
+        gap[count..].fill(0.0);
+        norm(&gap)
+    };
     let mut met = false;
-    follow(arm, member, direction, target, |at, _| {
-        let gap = difference(arm, at, q);
-        if norm(&gap) < STRIDE {
-            met = norm(&difference(
-                arm,
-                &closest(arm, at, target, q, MAX_JOINTS),
-                q,
-            )) < SAME_POINT;
+    follow(arm, member, heading, target, |at, _| {
+        if gap(at) < STRIDE {
+            met = gap(&closest(arm, at, target, q, count)) < SAME_POINT;
         }
         !met
     });

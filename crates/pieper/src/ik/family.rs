@@ -36,7 +36,7 @@ const HALVINGS: usize = 45;
 const SURFACE_STEPS: usize = 40;
 
 /// Starts tried for each member of a surface.
-const STARTS: usize = 6;
+const STARTS: usize = 12;
 
 impl Solver {
     /// `count` members of a family, spread evenly along it, the listed member first.
@@ -118,6 +118,29 @@ impl Solver {
             to: self.within(&way[way.len() - 1]),
         };
         self.ways(family).into_iter().map(range).collect()
+    }
+
+    /// The same family, listed by a member within the joints' limits: the middle of its longest part there, or, on a
+    /// surface, the first that a search finds. `None` if none is found.
+    pub fn within_limits(&self, family: &Family) -> Option<Family> {
+        let pose = self.arm.pose(&family.at);
+        let mut at = if curve::is_surface(&self.arm, &family.at) {
+            self.members(family, 1, Room::Limits).next()?
+        } else {
+            let ways = self.ways(family);
+            let longest = ways
+                .iter()
+                .max_by(|a, b| self.length(a).total_cmp(&self.length(b)))?;
+            longest[longest.len() / 2]
+        };
+        limits::bring(self.arm.chain(), &mut at);
+        let (heading, _) = curve::tangent(&self.arm, &at);
+        let moved = Family {
+            at,
+            heading,
+            ..*family
+        };
+        Some(self.view.family(&self.arm, &moved, &pose))
     }
 
     /// The member of a family that is closest to the joint values `seed`.
@@ -299,22 +322,32 @@ impl Solver {
 
     /// Members of a surface, by search; the listed one first if it may stand anywhere.
     fn spread(&self, family: &Family, count: usize, room: Room) -> Vec<Vec<f64>> {
-        let pose = self.arm.pose(&family.at);
-        let found = (1..=count * STARTS).filter_map(|index| {
-            let from = start(&self.arm, index, room);
-            let found = damped(&self.arm, &from, &pose, room, ROUNDING);
-            (found.error < super::TOLERANCES.closes).then_some(found.q)
-        });
         let shown = |q: JointVector| match room {
             Room::Free => self.shown(&q),
             Room::Limits => self.view.outward(&q)[..self.chain().dof()].to_vec(),
         };
         let listed = (room == Room::Free).then_some(family.at);
+        let found = self.members(family, count, room);
         listed
             .into_iter()
             .chain(found)
             .take(count)
             .map(shown)
             .collect()
+    }
+
+    /// What a search finds of a surface from starts spread over the joints' ranges.
+    fn members(
+        &self,
+        family: &Family,
+        count: usize,
+        room: Room,
+    ) -> impl Iterator<Item = JointVector> {
+        let pose = self.arm.pose(&family.at);
+        (1..=count * STARTS).filter_map(move |index| {
+            let from = start(&self.arm, index, room);
+            let found = damped(&self.arm, &from, &pose, room, ROUNDING);
+            (found.error < super::TOLERANCES.closes).then_some(found.q)
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::arm::rotation_between;
+use super::arm::angle_between;
 use super::wrist::Method;
 use crate::spatial::Pose;
 
@@ -46,7 +46,7 @@ impl Goal {
             Self::PositionAxis => (shift, tilt),
             Self::Pose => {
                 let (from, to) = (reached.rotation.matrix(), wanted.rotation.matrix());
-                (shift, rotation_between(from, to).norm())
+                (shift, angle_between(from, to))
             }
         }
     }

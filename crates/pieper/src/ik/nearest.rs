@@ -1,6 +1,6 @@
 //! How close the arm comes to a pose that it cannot reach.
 
-use super::arm::{Arm, rotation_between};
+use super::arm::{Arm, angle_between};
 use super::descent::{ROUNDING, Room, damped};
 use super::extend::open_to;
 use super::goal::Goal;
@@ -28,15 +28,16 @@ pub(super) fn find(arm: &Arm, pose: &Pose) -> JointVector {
 /// For arms that lack joints for a whole pose: the parts of a pose in the order in which they are given up, last first.
 ///
 /// First the tool's point comes as close as it can; among the ways to put it there, the tool's axis; among those that
-/// also do that, the turn about the axis. What cannot be met of the first of them that fails is the reason.
+/// also do that, the turn about the axis. What cannot be met of the first of them that fails is the reason. The closest
+/// pose has the point in place, and the least turn from the wanted orientation.
 #[derive(Clone, Debug)]
 pub(super) struct Ladder {
     /// With an orientation that does not matter.
     point: Arm,
     /// With a turn about the tool's axis that does not matter; a miss of the position weighs heavily.
     axis: Arm,
-    /// Whether the turn matters.
-    whole: bool,
+    /// Where the turn matters: the arm itself, a miss of the position weighing heavily.
+    whole: Option<Arm>,
 }
 
 /// How much more a miss of the position weighs where the axis is to be turned with the point in place: the point then
@@ -52,7 +53,10 @@ impl Ladder {
         Ok(Self {
             point: Arm::new(&open_to(chain, Goal::Position)?)?,
             axis: axis.weighing_position(WEIGHT),
-            whole: goal == Goal::Pose,
+            whole: match goal {
+                Goal::Pose => Some(Arm::new(chain)?.weighing_position(WEIGHT)),
+                _ => None,
+            },
         })
     }
 
@@ -85,21 +89,28 @@ impl Ladder {
             (*q, *miss) = (found.q, if in_place { tilt } else { f64::INFINITY });
         }
         let (q, miss) = least(&axes);
-        if miss > MET || !self.whole {
-            return (Shortfall::new(Part::Axis, miss), q);
+        let axis = Shortfall::new(Part::Axis, miss);
+        let Some(whole) = &self.whole else {
+            return (axis, q);
+        };
+        let mut spin = f64::INFINITY;
+        let mut best = (q, f64::INFINITY);
+        for (q, tilt) in axes.iter().filter(|(_, tilt)| tilt.is_finite()) {
+            if *tilt <= MET {
+                // What the turn about the axis makes up for is what the arm misses.
+                spin = spin.min(super::angle::wrap(q[dof - 1]).abs());
+            }
+            let mut own = *q;
+            own[dof - 1] = 0.0;
+            let found = damped(whole, &own, pose, Room::Free, ROUNDING);
+            if found.error < best.1 {
+                best = (found.q, found.error);
+            }
         }
-        let mut spins = axes;
-        for (q, miss) in &mut spins {
-            // What the turn about the axis makes up for is what the arm misses.
-            let spin = q[dof - 1];
-            *miss = if *miss <= MET {
-                super::angle::wrap(spin).abs()
-            } else {
-                f64::INFINITY
-            };
+        match miss > MET {
+            true => (axis, best.0),
+            false => (Shortfall::new(Part::Spin, spin), best.0),
         }
-        let (q, miss) = least(&spins);
-        (Shortfall::new(Part::Spin, miss), q)
     }
 }
 
@@ -126,12 +137,11 @@ impl Nearest {
     }
 
     fn measured(reached: &Pose, q: JointVector, dof: usize, pose: &Pose) -> Self {
-        let turn = rotation_between(reached.rotation.matrix(), pose.rotation.matrix());
         Self {
             q,
             dof: dof as u8,
             position_error: (reached.translation.vector - pose.translation.vector).norm(),
-            orientation_error: turn.norm(),
+            orientation_error: angle_between(reached.rotation.matrix(), pose.rotation.matrix()),
         }
     }
 }

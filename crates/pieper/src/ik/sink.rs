@@ -90,9 +90,9 @@ impl<'a> Sink<'a> {
         self.slack
     }
 
-    /// The number of isolated solutions so far.
+    /// The number of isolated solutions and families so far.
     pub fn found(&self) -> usize {
-        self.out.len
+        self.out.len + self.out.family_count
     }
 
     /// Says that a branch does not exist, and how far it is from existing.
@@ -198,7 +198,7 @@ impl<'a> Sink<'a> {
         }
         let solution = self.solution(q, turn.max(shift), branch, marks);
         if self.arm.chain().dof() > 6 {
-            return self.add_redundant(&solution);
+            return self.add_redundant(&solution, marks);
         }
         if marks.free && self.add_family(&solution) {
             return false;
@@ -288,13 +288,8 @@ impl<'a> Sink<'a> {
             return false;
         };
         for family in &self.out.families[..self.out.family_count] {
-            if curve::passes(
-                self.arm,
-                &family.member,
-                &family.heading,
-                self.pose,
-                &solution.q,
-            ) {
+            let line = (&family.at, &family.heading);
+            if curve::passes(self.arm, line, self.pose, &solution.q, MAX_JOINTS) {
                 return true;
             }
         }
@@ -302,10 +297,12 @@ impl<'a> Sink<'a> {
         true
     }
 
-    fn add_redundant(&mut self, solution: &Solution) -> bool {
-        for index in 0..self.out.family_count {
-            let member = self.out.families[index].member;
-            if self.distance(&member, &solution.q) < TOLERANCES.near {
+    fn add_redundant(&mut self, solution: &Solution, marks: Marks) -> bool {
+        for family in &self.out.families[..self.out.family_count] {
+            let line = (&family.at, &family.heading);
+            if self.distance(&family.at, &solution.q) < TOLERANCES.near
+                || marks.edge && curve::passes(self.arm, line, self.pose, &solution.q, MAX_JOINTS)
+            {
                 return false;
             }
         }

@@ -168,7 +168,7 @@ impl Solver {
     /// asked for count as 0.
     ///
     /// With six joints or more, position errors in the arm's extent and orientation errors in radians count alike. With
-    /// fewer, the tool's point comes first, then its axis, then the turn about that.
+    /// fewer, the tool's point comes first.
     ///
     /// # Errors
     /// As [`Solver::solve`].

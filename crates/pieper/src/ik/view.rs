@@ -143,22 +143,44 @@ impl View {
                 self.add(&solution, pose, out);
                 continue;
             }
-            let length = free.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let member = self.outward(&family.at);
-            out.families[out.family_count] = Family {
-                member,
-                free: free.map(|x| x / length),
-                dof: self.chain.dof() as u8,
-                residual: self.goal.residual(&self.pose(&member), pose),
-                ..*family
-            };
+            // What differs only in joints which the caller does not have is one.
+            let known = out.families[..out.family_count].iter().any(|known| {
+                let line = (&known.at, &known.heading);
+                !curve::is_surface(arm, &known.at)
+                    && curve::passes(
+                        arm,
+                        line,
+                        &arm.pose(&known.at),
+                        &family.at,
+                        self.free_joints(),
+                    )
+            });
+            if known {
+                continue;
+            }
+            out.families[out.family_count] = self.family(arm, family, pose);
             out.family_count += 1;
         }
         out.status = match (out.family_count, out.len) {
             (0, 0) => Status::Unreachable,
             (0, _) => Status::Solved,
+            _ if self.goal != Goal::Pose => Status::Redundant,
             _ => out.status,
         };
+    }
+
+    /// A family of the arm at work, as the caller sees it.
+    pub(super) fn family(&self, arm: &Arm, family: &Family, pose: &Pose) -> Family {
+        let free = self.direction(arm, &family.heading);
+        let length = free.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let member = self.outward(&family.at);
+        Family {
+            member,
+            free: free.map(|x| x / length),
+            dof: self.chain.dof() as u8,
+            residual: self.goal.residual(&self.pose(&member), pose),
+            ..*family
+        }
     }
 
     fn add(&self, solution: &Solution, pose: &Pose, out: &mut Solutions) {

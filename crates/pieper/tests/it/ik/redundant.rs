@@ -136,6 +136,22 @@ fn ranges_end_at_limits() {
             for family in found.families() {
                 let ranges = solver.ranges(family);
                 any |= !ranges.is_empty();
+                let within = solver.within_limits(family);
+                assert_eq!(within.is_some(), !ranges.is_empty(), "{id}");
+                if let Some(within) = within {
+                    assert!(
+                        chain.limit_violations(within.q()).is_empty(),
+                        "{id} {:?}",
+                        within.q()
+                    );
+                    assert!(difference(&tool_pose(chain, within.q()).unwrap(), &pose) < 1e-11);
+                    let samples = solver.samples_within(family, 12);
+                    assert!(!samples.is_empty() && samples.len() <= 12);
+                    for q in samples {
+                        assert!(chain.limit_violations(&q).is_empty(), "{id} {q:?}");
+                        assert!(difference(&tool_pose(chain, &q).unwrap(), &pose) < 1e-11);
+                    }
+                }
                 for range in ranges {
                     for end in [&range.from, &range.to] {
                         assert!(

@@ -56,6 +56,13 @@ impl View {
                 }
             }
         }
+        if held_at.iter().all(Option::is_some) {
+            let text = match question.goal {
+                Goal::Axis => "no joint is left that turns: its axis keeps its direction",
+                _ => "every joint is held: none is left to move",
+            };
+            return Err(Error::model("chain", text));
+        }
         let mut free = chain.clone();
         for (joint, value) in held_at.iter().enumerate().rev() {
             if let Some(value) = value {

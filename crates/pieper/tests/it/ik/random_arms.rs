@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::fmt::Write as _;
 
 /// One row of a table.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
     pub(crate) turns: bool,
     pub(crate) theta: f64,

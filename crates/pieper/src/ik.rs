@@ -5,6 +5,9 @@
 //! on the true model, refined there by Newton's method where the arm misses its class by a hair, merged where roots
 //! coincide and, where roots form a curve, followed along it; a row itself only proposes.
 //!
+//! A [`Question`] asks for a part of a pose ([`Goal`]) or holds joints; the answer to both is another chain, solved by the same
+//! rows. [`Search`] is the numeric way: one solution from one start, for any chain.
+//!
 //! ```
 //! use pieper::describe::Robot;
 //! use pieper::{ik, kinematics};

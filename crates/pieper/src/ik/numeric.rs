@@ -71,8 +71,9 @@ impl Prepared for Numeric {
                 free,
             };
             sink.push_joints(q, branch, marks);
-            if self.redundant && curve::is_surface(arm, &q) {
-                // One surface, as far as a search can tell.
+            // One surface, as far as a search can tell; or an arm that is singular everywhere, with more families than
+            // are listed.
+            if self.redundant && curve::is_surface(arm, &q) || sink.is_full() {
                 break;
             }
         }

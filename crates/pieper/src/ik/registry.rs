@@ -87,7 +87,7 @@ pub const ROWS: &[Row] = &[
     },
     Row {
         name: numeric::NAME,
-        summary: "damped least squares from many starts: any chain, without a proof of completeness",
+        summary: "damped least squares from many starts: any chain, no proof that all solutions are found",
         prepare: numeric::prepare,
     },
 ];

@@ -95,6 +95,11 @@ impl<'a> Sink<'a> {
         self.out.len + self.out.family_count
     }
 
+    /// Whether there is no room for more families or no room for more isolated solutions.
+    pub(super) fn is_full(&self) -> bool {
+        self.out.len == MAX_SOLUTIONS || self.out.family_count == MAX_FAMILIES
+    }
+
     /// Says that a branch does not exist, and how far it is from existing.
     pub fn fail(&mut self, part: Part, amount: f64) {
         if amount > 0.0 && self.shortfall.is_none_or(|least| amount < least.amount) {

@@ -22,6 +22,7 @@ mod tile;
 pub use directions::{AxisDirections, Directions};
 pub use forward::{link_poses, tool_pose};
 pub use hessian::hessian;
+pub(crate) use jacobian::pose_and_columns;
 pub use jacobian::{Jacobian, Reference, pose_and_jacobian};
 pub use measures::{Measures, Singularity, measures};
 pub use orientation::{Orientation, analytic_jacobian};

@@ -4,5 +4,6 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod fk;
+mod ik_questions;
 mod run;
 mod support;

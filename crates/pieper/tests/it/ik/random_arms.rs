@@ -9,16 +9,16 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::fmt::Write as _;
 
 /// One row of a table.
-#[derive(Clone, Copy)]
-struct Row {
-    turns: bool,
-    theta: f64,
-    d: f64,
-    a: f64,
-    alpha: f64,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row {
+    pub(crate) turns: bool,
+    pub(crate) theta: f64,
+    pub(crate) d: f64,
+    pub(crate) a: f64,
+    pub(crate) alpha: f64,
 }
 
-fn solver(rows: &[Row]) -> Solver {
+pub(crate) fn solver(rows: &[Row]) -> Solver {
     let mut text = "name = 'r'\nconvention = 'standard'\n".to_owned();
     for (index, row) in rows.iter().enumerate() {
         let (theta, d) = (row.theta, row.d);
@@ -39,7 +39,7 @@ fn solver(rows: &[Row]) -> Solver {
 }
 
 /// Twists of 0, 45 and 90 degrees or odd ones, half of all lengths zero.
-fn row(random: &mut fastrand::Rng, turns: bool) -> Row {
+pub(crate) fn row(random: &mut fastrand::Rng, turns: bool) -> Row {
     let mut length = || {
         if random.bool() {
             0.0
@@ -70,7 +70,7 @@ fn row(random: &mut fastrand::Rng, turns: bool) -> Row {
 }
 
 /// Makes the axes `first` to `first + 2` pass through a point.
-fn meet(rows: &mut [Row], first: usize, random: &mut fastrand::Rng) {
+pub(crate) fn meet(rows: &mut [Row], first: usize, random: &mut fastrand::Rng) {
     for row in &mut rows[first..first + 2] {
         row.a = 0.0;
         row.alpha = match random.u8(..3) {
@@ -83,7 +83,7 @@ fn meet(rows: &mut [Row], first: usize, random: &mut fastrand::Rng) {
 }
 
 /// Makes them parallel.
-fn align(rows: &mut [Row], first: usize, random: &mut fastrand::Rng) {
+pub(crate) fn align(rows: &mut [Row], first: usize, random: &mut fastrand::Rng) {
     for row in &mut rows[first..first + 2] {
         row.a = 0.2 + 0.3 * random.f64();
         row.alpha = if random.u8(..4) == 0 {

@@ -112,6 +112,30 @@ impl Track {
     }
 }
 
+impl Track {
+    /// The part from one time to another: moments and joint values, with the ends between knots found on the straight
+    /// line between them.
+    pub fn part(&self, from: f64, to: f64) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let (mut times, mut rows) = (Vec::new(), Vec::new());
+        let mut add = |time: f64, row: Vec<f64>| {
+            times.push(time);
+            rows.push(row);
+        };
+        if !self.times.contains(&from) {
+            add(from.max(self.from()), self.at(from));
+        }
+        for (&time, row) in self.times.iter().zip(&self.rows) {
+            if (from..=to).contains(&time) {
+                add(time, row.clone());
+            }
+        }
+        if !self.times.contains(&to) {
+            add(to.min(self.to()), self.at(to));
+        }
+        (times, rows)
+    }
+}
+
 /// How far the tool is off its path at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
@@ -252,7 +276,15 @@ fn conclude(
     }
     for leg in &out.legs {
         let track = &out.tracks[leg.track];
-        let knots: Vec<compose::Knot> = plan::knots(space, track, leg);
+        let (times, rows) = track.part(leg.from, leg.to);
+        let knots: Vec<compose::Knot> = times
+            .iter()
+            .zip(&rows)
+            .map(|(&time, row)| compose::Knot {
+                time,
+                q: space.vector(row),
+            })
+            .collect();
         let (miss, time) = finish::deviation(space, law, &knots)?;
         let worst = &mut out.deviation;
         if miss.position > worst.position || miss.angle > worst.angle {

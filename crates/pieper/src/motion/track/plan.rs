@@ -1,6 +1,5 @@
 //! Where no motion lives through the whole path: the fewest motions that cover it, one after the other.
 
-use super::compose::Knot;
 use super::sample::Sampler;
 use super::space::{Space, minus};
 use super::{End, Event, Track, Tracks};
@@ -146,26 +145,4 @@ fn switches(space: &Space<'_>, out: &mut Tracks, same: f64) {
         });
         (out.legs[k - 1].to, out.legs[k].from) = (best.0, best.0);
     }
-}
-
-/// The part of a track that a leg uses.
-pub(super) fn knots(space: &Space<'_>, track: &Track, leg: &Leg) -> Vec<Knot> {
-    let end = |time: f64| Knot {
-        time,
-        q: space.vector(&track.at(time)),
-    };
-    let mut knots = Vec::new();
-    if !track.times.contains(&leg.from) {
-        knots.push(end(leg.from.max(track.from())));
-    }
-    let rows = track.times.iter().zip(&track.rows);
-    let inside = rows.filter(|(time, _)| (leg.from..=leg.to).contains(time));
-    knots.extend(inside.map(|(&time, row)| Knot {
-        time,
-        q: space.vector(row),
-    }));
-    if !track.times.contains(&leg.to) {
-        knots.push(end(leg.to.min(track.to())));
-    }
-    knots
 }

@@ -2,7 +2,7 @@
 
 use super::TrackOptions;
 use super::compose::{Ending, Knot, Motion};
-use super::sample::{Sample, Sampler};
+use super::sample::{Node, Sample, Sampler};
 use super::space::{add, minus};
 use super::standing::Home;
 use crate::error::{Error, Result};
@@ -45,7 +45,7 @@ fn starts(
     for node in &sample.nodes {
         let q = match home.is_asked_for {
             true => sampler.member(sample, node, &home.q)?.unwrap_or(node.q),
-            false => node.q,
+            false => deepest(sampler, node)?,
         };
         starts.push((q, node.branch));
     }
@@ -55,6 +55,29 @@ fn starts(
         starts.truncate(1);
     }
     Ok(starts)
+}
+
+/// The member of a family that lies deepest within the limits, of so many.
+const MEMBERS: usize = 48;
+
+fn deepest(sampler: &Sampler<'_>, node: &Node) -> Result<JointVector> {
+    let space = sampler.space;
+    let margin = |q: &JointVector| {
+        let joints = space.chain.variables().iter().zip(q);
+        let margins = joints.filter_map(|(variable, &value)| {
+            let limits = variable.limits?;
+            let range = (limits.upper() - limits.lower()).max(f64::MIN_POSITIVE);
+            Some((value - limits.lower()).min(limits.upper() - value) / range)
+        });
+        margins.fold(f64::INFINITY, f64::min)
+    };
+    let Some(family) = node.set.as_ref().and_then(|set| set.family.as_ref()) else {
+        return Ok(node.q);
+    };
+    let members = sampler.solver.samples(family, MEMBERS);
+    let members = members.iter().map(|q| space.vector(q));
+    let best = members.max_by(|a, b| margin(a).total_cmp(&margin(b)));
+    Ok(best.unwrap_or(node.q))
 }
 
 /// Follows the path from a start by the least change of joints, as far as that goes.

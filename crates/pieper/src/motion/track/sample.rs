@@ -33,7 +33,7 @@ pub(super) struct Node {
 pub(super) struct Set {
     /// The unit direction in which it goes on; zero for a single point.
     pub(super) free: JointVector,
-    family: Option<Family>,
+    pub(super) family: Option<Family>,
 }
 
 /// All that is known about a moment.

@@ -35,11 +35,14 @@ pub(super) fn pieces(space: &Space<'_>, knots: &[Knot], home: &JointVector) -> V
             at += 1;
             continue;
         };
-        let mut inside: Vec<Knot> = knots[at..end].to_vec();
-        inside.iter_mut().for_each(|knot| knot.q = add(&knot.q, &turns, 1.0));
+        let turned = |knot: &Knot| Knot {
+            q: add(&knot.q, &turns, 1.0),
+            ..*knot
+        };
+        let mut inside = before(space, knots, at, &turned);
+        inside.extend(knots[at..end].iter().map(turned));
         let stop = joint.map(|joint| {
-            let (last, mut next) = (inside[inside.len() - 1], knots[end]);
-            next.q = add(&next.q, &turns, 1.0);
+            let (last, next) = (inside[inside.len() - 1], turned(&knots[end]));
             let knot = crossing(space, joint, &last, &next);
             let limits = space.chain.variables()[joint].limits;
             let limit = limits.map_or(knot.q[joint], |limits| nearest(limits, next.q[joint]));
@@ -59,6 +62,31 @@ pub(super) fn pieces(space: &Space<'_>, knots: &[Knot], home: &JointVector) -> V
         at = end.max(at + 1);
     }
     pieces
+}
+
+/// How far a part of a motion that is within limits from knot `at` on reaches back: its knots, from where it enters.
+fn before(space: &Space<'_>, knots: &[Knot], at: usize, turned: &impl Fn(&Knot) -> Knot) -> Vec<Knot> {
+    let variables = space.chain.variables();
+    let outside = |knot: &Knot| -> Vec<usize> {
+        let is_out = |j: &usize| variables[*j].limits.is_some_and(|limits| !within(limits, knot.q[*j]));
+        (0..space.dof()).filter(is_out).collect()
+    };
+    let mut entry = Vec::new();
+    for index in (0..at).rev() {
+        let knot = turned(&knots[index]);
+        let out = outside(&knot);
+        if out.is_empty() {
+            entry.push(knot);
+            continue;
+        }
+        let inside = entry.last().copied().unwrap_or_else(|| turned(&knots[at]));
+        let crossings = out.iter().map(|&joint| crossing(space, joint, &inside, &knot));
+        let latest = crossings.max_by(|a, b| a.time.total_cmp(&b.time));
+        entry.extend(latest.filter(|knot| knot.time < inside.time));
+        break;
+    }
+    entry.reverse();
+    entry
 }
 
 /// From knot `at`: the turns to add, the first knot outside, and the joint that is.

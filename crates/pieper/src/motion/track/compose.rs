@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::sample::{Node, Sampler};
 use super::standing::{self, Home, Stretch};
-use super::strand::Strand;
+use super::strand::{Strand, node};
 use crate::error::Result;
 use crate::ik::{Branch, JointVector};
 
@@ -111,7 +111,7 @@ impl Composer<'_, '_> {
         let Some(before) = before.filter(|before| strand.is_set && !before.is_set) else {
             return Ok(strand.after.clone());
         };
-        let entry = before.node(self.grid, before.last()).q;
+        let entry = (before.last(), before.end(self.grid).q);
         let mut smooth = Vec::new();
         let mut turns = Vec::new();
         for &next in &strand.after {
@@ -120,7 +120,7 @@ impl Composer<'_, '_> {
                 turns.push((0.0, next));
                 continue;
             }
-            let exit = after.node(self.grid, after.first).q;
+            let exit = (after.first(), after.start(self.grid).q);
             let items = self.items(strand);
             let stretch = Stretch {
                 items: &items,
@@ -138,7 +138,7 @@ impl Composer<'_, '_> {
             }
         }
         // A smooth way of one moment is the only one that a motion through it needs.
-        if !smooth.is_empty() && strand.nodes.len() == 1 {
+        if !smooth.is_empty() && strand.places.len() == 1 {
             return Ok(smooth);
         }
         turns.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -147,10 +147,8 @@ impl Composer<'_, '_> {
     }
 
     fn items(&self, strand: &Strand) -> Vec<(usize, &Node)> {
-        let samples = strand.first..=strand.last();
-        samples
-            .map(|sample| (sample, strand.node(self.grid, sample)))
-            .collect()
+        let places = strand.places.iter();
+        places.map(|&place| (place.0, node(self.grid, place))).collect()
     }
 
     fn motion(&self, way: &[usize]) -> Result<Motion> {
@@ -159,7 +157,7 @@ impl Composer<'_, '_> {
             .flat_map(|&strand| self.items(&self.strands[strand]))
             .collect();
         let mut knots: Vec<Knot> = Vec::with_capacity(items.len());
-        let mut at = 0;
+        let mut at: usize = 0;
         while at < items.len() {
             let (sample, node) = items[at];
             let before = knots.last().map(|knot| knot.q);
@@ -174,8 +172,8 @@ impl Composer<'_, '_> {
             let end = at + length.count();
             let stretch = Stretch {
                 items: &items[at..end],
-                entry: before,
-                exit: items.get(end).map(|item| item.1.q),
+                entry: at.checked_sub(1).map(|k| items[k].0).zip(before),
+                exit: items.get(end).map(|item| (item.0, item.1.q)),
             };
             let passed = standing::pass(self.sampler, self.grid, &stretch, self.home, self.tolerance)?;
             knots.extend(passed.iter().map(|&(sample, q)| Knot {

@@ -186,11 +186,11 @@ pub(super) fn of(sampler: &Sampler<'_>, found: &Found, motion: &Motion) -> End {
     let time = samples[sample].time;
     let beyond = samples.get(sample + 1).and_then(|next| next.shortfall);
     let own = &found.strands[strand];
-    let node = own.node(&found.grid, sample);
+    let node = own.end(&found.grid);
     let partner = found.strands.iter().enumerate().find_map(|(index, other)| {
         let ends_here = index != strand && other.last() == sample && other.after.is_empty();
         let before = own.is_set && own.before.contains(&index);
-        let other = other.node(&found.grid, sample);
+        let other = other.end(&found.grid);
         let distance = sampler.space.size(&sampler.space.way(&node.q, &other.q));
         (ends_here && !before && distance < MEETING).then_some(other)
     });

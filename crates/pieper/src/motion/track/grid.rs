@@ -1,6 +1,6 @@
 //! The path, cut into intervals so short that nothing is left open between their ends.
 
-use super::link::Link;
+use super::link::{Link, Span};
 use super::sample::{Sample, Sampler};
 use crate::error::{Error, Result};
 
@@ -20,12 +20,12 @@ const MOST_WITHIN: usize = 3000;
 /// Where a sample falls into a singularity by chance, it is moved by these parts of the interval.
 const ASIDE: [f64; 2] = [0.0367, -0.0823];
 
-/// Samples along a path and the links between neighbours.
+/// Samples along a path and the links between them.
 #[derive(Debug, Default)]
 pub(super) struct Grid {
     pub(super) samples: Vec<Sample>,
-    /// One list for each interval.
-    pub(super) links: Vec<Vec<Link>>,
+    /// By their ends. A solution that stands alone has at most one to each side.
+    pub(super) links: Vec<Span>,
 }
 
 /// Samples a path. `progress` is told the share that is done.
@@ -40,20 +40,22 @@ pub(super) fn sample(
     let size = start.abs().max(end.abs());
     let shortest = (SHORTEST * (end - start)).max(ULPS * f64::EPSILON * size);
     let mut grid = Grid::default();
+    // By the times of the samples: the places of samples are known in the end only.
+    let mut found: Vec<([f64; 2], Vec<Link>)> = Vec::new();
     grid.samples.push(sampler.at(start)?);
     for pair in times.windows(2) {
         progress((pair[0] - start) / (end - start));
         let allowed = sampler.solves + MOST_WITHIN;
-        let mut ahead = vec![sampler.at(pair[1])?];
+        let mut ahead = vec![first(sampler, pair)?];
         while let Some(next) = ahead.pop() {
             let Some(last) = grid.samples.last() else {
                 break;
             };
             let linked = sampler.link(last, &next, tolerance)?;
             let length = next.time - last.time;
+            found.push(([last.time, next.time], linked.links));
             if linked.is_clear || length <= 2.0 * shortest || sampler.solves >= allowed {
                 grid.samples.push(next);
-                grid.links.push(linked.links);
                 continue;
             }
             if sampler.solves >= budget {
@@ -64,7 +66,37 @@ pub(super) fn sample(
         }
     }
     progress(1.0);
+    grid.links = chosen(&grid.samples, &found);
     Ok(grid)
+}
+
+/// The links that count: what was clear for an interval stays so when it is halved for other branches, so the longest
+/// come first.
+fn chosen(samples: &[Sample], found: &[([f64; 2], Vec<Link>)]) -> Vec<Span> {
+    let place = |time: f64| samples.partition_point(|sample| sample.time < time);
+    let mut spans = Vec::new();
+    for ([from, to], links) in found {
+        let samples = [place(*from), place(*to)];
+        spans.extend(links.iter().map(|&link| Span { samples, link }));
+    }
+    // Stable: of equal length, those found first.
+    spans.sort_by_key(|span| std::cmp::Reverse(span.samples[1] - span.samples[0]));
+    let taken = || -> Vec<Vec<bool>> {
+        let nodes = samples.iter().map(|sample| vec![false; sample.nodes.len()]);
+        nodes.collect()
+    };
+    let [mut leaves, mut comes] = [taken(), taken()];
+    let is_set = |(sample, node): (usize, usize)| samples[sample].nodes[node].set.is_some();
+    spans.retain(|span| {
+        let (from, to) = (span.from(), span.to());
+        let is_free = (is_set(from) || !leaves[from.0][from.1]) && (is_set(to) || !comes[to.0][to.1]);
+        if is_free {
+            (leaves[from.0][from.1], comes[to.0][to.1]) = (true, true);
+        }
+        is_free
+    });
+    spans.sort_by_key(|span| (span.to(), span.from()));
+    spans
 }
 
 #[cold]
@@ -77,15 +109,30 @@ fn too_many(budget: usize, time: f64) -> Error {
     )
 }
 
-/// A sample within an interval, off any singularity that only the exact middle meets.
+/// The sample at the end of a first interval: at a row exactly, elsewhere off singularities.
+fn first(sampler: &mut Sampler<'_>, pair: &[f64]) -> Result<Sample> {
+    let (from, to) = (pair[0], pair[1]);
+    let rows = sampler.law.times();
+    let row = rows.partition_point(|&row| row < to);
+    match rows.get(row) == Some(&to) {
+        true => sampler.at(to),
+        false => beside(sampler, to, to - from),
+    }
+}
+
+/// A sample within an interval.
 fn between(sampler: &mut Sampler<'_>, from: f64, to: f64) -> Result<Sample> {
-    let middle = from + 0.5 * (to - from);
-    let sample = sampler.at(middle)?;
+    beside(sampler, from + 0.5 * (to - from), to - from)
+}
+
+/// A sample at a time or nearly, off any singularity that only the exact time meets.
+fn beside(sampler: &mut Sampler<'_>, time: f64, length: f64) -> Result<Sample> {
+    let sample = sampler.at(time)?;
     if !sample.has_sets() {
         return Ok(sample);
     }
     for aside in ASIDE {
-        let beside = sampler.at(middle + aside * (to - from))?;
+        let beside = sampler.at(time + aside * length)?;
         if !beside.has_sets() {
             return Ok(beside);
         }

@@ -16,14 +16,37 @@ const SHARES: [f64; 3] = [0.25, 0.5, 0.75];
 /// that rates come out smooth.
 const FINE: f64 = 0.02;
 
+/// The same where a solution that stands alone goes on as a member of a set, or comes from one: a finer part of the path
+/// would tell the member better, a coarser one might miss that the way through the set is smooth.
+const FINE_TO_SET: f64 = 0.125;
+
 /// A correction of joint values this large, as part of the joints' change, is no bend of a smooth motion.
 const ROUGH: f64 = 0.5;
 
-/// A solution that goes on as another: indices of nodes of two neighbouring samples.
+/// A solution that goes on as another: indices of nodes of two samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Link {
     pub(super) from: u8,
     pub(super) to: u8,
+}
+
+/// A link with its samples. Where an interval was halved for the sake of other branches, it spans more than one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub(super) samples: [usize; 2],
+    pub(super) link: Link,
+}
+
+impl Span {
+    /// Sample and node at its end.
+    pub(super) fn to(&self) -> (usize, usize) {
+        (self.samples[1], usize::from(self.link.to))
+    }
+
+    /// Sample and node at its start.
+    pub(super) fn from(&self) -> (usize, usize) {
+        (self.samples[0], usize::from(self.link.from))
+    }
 }
 
 /// How well a straight motion of the joints between two samples follows the path.
@@ -126,6 +149,10 @@ impl Sampler<'_> {
         (b, other): (&Sample, &Node),
         tolerance: f64,
     ) -> Result<bool> {
+        let allowed = match one.set.is_some() && other.set.is_some() {
+            true => tolerance,
+            false => FINE_TO_SET * tolerance,
+        };
         // Of two sets either may be the one that tells where on the other to look.
         let mut starts = Vec::new();
         if let Some(p) = self.member(a, one, &other.q)? {
@@ -137,7 +164,7 @@ impl Sampler<'_> {
         for (p, q) in starts {
             let q = self.space.beside(&p, &q);
             let near = self.space.size(&self.space.way(&p, &q)) <= STRIDE;
-            if near && self.largest_miss(a, &p, b, &q, tolerance)?.within(tolerance) {
+            if near && self.largest_miss(a, &p, b, &q, allowed)?.within(allowed) {
                 return Ok(true);
             }
         }

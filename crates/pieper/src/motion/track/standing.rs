@@ -22,10 +22,10 @@ const STILL: f64 = 1e-6;
 pub(super) struct Stretch<'a> {
     /// Sample and node of each.
     pub(super) items: &'a [(usize, &'a Node)],
-    /// Joint values at the sample before, if there is one.
-    pub(super) entry: Option<JointVector>,
-    /// A solution at the sample after, if there is one.
-    pub(super) exit: Option<JointVector>,
+    /// Sample and joint values before, if there are any.
+    pub(super) entry: Option<(usize, JointVector)>,
+    /// A sample after, and a solution there, if there is one.
+    pub(super) exit: Option<(usize, JointVector)>,
 }
 
 /// What a free start is nearest to.
@@ -56,11 +56,11 @@ pub(super) fn pass(
     }
     let last = stretch.items[stretch.items.len() - 1];
     let leaving = match stretch.exit {
-        Some(exit) => Some(walk.member(last, &exit)?),
+        Some((_, exit)) => Some(walk.member(last, &exit)?),
         None => None,
     };
     let (mut line, shift, total) = match (stretch.entry, leaving) {
-        (Some(entry), Some(leaving)) => {
+        (Some((_, entry)), Some(leaving)) => {
             let line = walk.along(stretch.items, &entry)?;
             let end = line[line.len() - 1];
             let gap = gap(sampler, last.1, &end, &leaving);
@@ -81,7 +81,7 @@ pub(super) fn pass(
             };
             (line, shift, -shift)
         }
-        (Some(start), None) => (walk.along(stretch.items, &start)?, 0.0, 0.0),
+        (Some((_, start)), None) => (walk.along(stretch.items, &start)?, 0.0, 0.0),
         (None, None) => (walk.along(stretch.items, &home.q)?, 0.0, 0.0),
     };
     if shift != 0.0 || total != 0.0 {
@@ -175,16 +175,11 @@ impl Walk<'_, '_> {
     fn smooth(
         &self,
         (sample, node): (usize, &Node),
-        entry: &JointVector,
-        exit: &JointVector,
+        (before, entry): &(usize, JointVector),
+        (after, exit): &(usize, JointVector),
         tolerance: f64,
     ) -> Result<Option<JointVector>> {
-        let (Some(before), Some(after)) = (
-            sample.checked_sub(1).map(|k| self.sample(k)),
-            self.grid.samples.get(sample + 1),
-        ) else {
-            return Ok(None);
-        };
+        let (before, after) = (self.sample(*before), self.sample(*after));
         let here = self.sample(sample);
         let share = (here.time - before.time) / (after.time - before.time);
         let seed = add(entry, &self.sampler.space.way(entry, exit), share);

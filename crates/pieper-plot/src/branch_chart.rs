@@ -72,7 +72,11 @@ pub struct BranchChart {
 pub fn branch_chart(chart: &BranchChart) -> Result<Figure> {
     check(chart)?;
     let count = chart.joints.len();
-    let columns = if count < 4 { count } else { count.div_ceil(2).min(3) };
+    let columns = if count < 4 {
+        count
+    } else {
+        count.div_ceil(2).min(3)
+    };
     let rows = count.div_ceil(columns);
     let moments = chart.lines.iter().flat_map(|line| line.times.iter());
     let times = range(moments.chain(&chart.times).copied());
@@ -86,7 +90,10 @@ pub fn branch_chart(chart: &BranchChart) -> Result<Figure> {
     let mut scene = Scene::new(WIDTH, top + rows as f64 * step + LAST);
     legend::draw(&mut scene, &legend, borders, 0.0);
     for (index, (name, unit)) in chart.joints.iter().enumerate() {
-        let values = chart.lines.iter().flat_map(|line| line.values[index].iter());
+        let values = chart
+            .lines
+            .iter()
+            .flat_map(|line| line.values[index].iter());
         let [low, high] = range(values.copied());
         let room = 0.07 * (high - low);
         let [low, high] = [low - room, high + room];
@@ -104,10 +111,18 @@ pub fn branch_chart(chart: &BranchChart) -> Result<Figure> {
         axes.ground(&mut scene, &time_ticks, &value_ticks);
         axes.label_y(&mut scene, &value_ticks, &format!("{name}, {unit}"));
         let is_lowest = index + columns >= count;
-        axes.label_x(&mut scene, &time_ticks, if is_lowest { "Time, s" } else { "" });
+        axes.label_x(
+            &mut scene,
+            &time_ticks,
+            if is_lowest { "Time, s" } else { "" },
+        );
         // The chosen motion last, over all others.
         for is_chosen in [false, true] {
-            for line in chart.lines.iter().filter(|line| line.is_chosen == is_chosen) {
+            for line in chart
+                .lines
+                .iter()
+                .filter(|line| line.is_chosen == is_chosen)
+            {
                 draw(&mut scene, &axes, line, index);
             }
         }
@@ -125,9 +140,15 @@ fn check(chart: &BranchChart) -> Result<()> {
         let subject = format!("motion {number}");
         finite(&subject, &line.times)?;
         if !line.times.is_sorted() || line.times.is_empty() {
-            return Err(Error::input(subject, "moments in ascending order were expected"));
+            return Err(Error::input(
+                subject,
+                "moments in ascending order were expected",
+            ));
         }
-        let fits = line.values.iter().all(|list| list.len() == line.times.len());
+        let fits = line
+            .values
+            .iter()
+            .all(|list| list.len() == line.times.len());
         if line.values.len() != chart.joints.len() || !fits {
             let text = "a value for each joint and moment was expected";
             return Err(Error::input(subject, text));
@@ -173,7 +194,7 @@ fn legend(chart: &BranchChart) -> Vec<Entry<'static>> {
     };
     let mut entries = Vec::new();
     if chart.lines.iter().any(|line| line.is_chosen) {
-        entries.push(line(true, "the motion shown in this report"));
+        entries.push(line(true, "followed"));
     }
     if chart.lines.iter().any(|line| !line.is_chosen) {
         entries.push(line(false, "the other branches"));

@@ -74,7 +74,12 @@ pub(crate) struct Arguments {
     tolerance: f64,
 
     /// Joint values that the motion along a path of the tool should start near
-    #[arg(long, value_name = "Q1,Q2,...", visible_alias = "seed", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "Q1,Q2,...",
+        visible_alias = "seed",
+        allow_hyphen_values = true
+    )]
     start: Option<String>,
 
     /// The angles of --start are in degrees
@@ -236,7 +241,9 @@ impl Arguments {
         let parts = text.split([',', ' ']).filter(|part| !part.is_empty());
         let values: Option<Vec<f64>> = parts.map(|part| part.parse().ok()).collect();
         let mut values = values.ok_or_else(|| {
-            Failure::input(format!("--start {text}: numbers separated by commas were expected"))
+            Failure::input(format!(
+                "--start {text}: numbers separated by commas were expected"
+            ))
         })?;
         chain
             .check_joint_values(&values)

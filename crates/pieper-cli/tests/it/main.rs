@@ -5,4 +5,5 @@
 
 mod fk;
 mod run;
+mod run_paths;
 mod support;

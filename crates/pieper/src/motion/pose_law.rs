@@ -104,9 +104,7 @@ impl PoseLaw {
             return self.poses[after.min(last)];
         }
         let (row, start) = (after - 1, self.times[after - 1]);
-        let [share, ..] = self
-            .profile
-            .at((t - start) / (self.times[after] - start));
+        let [share, ..] = self.profile.at((t - start) / (self.times[after] - start));
         // From the nearer end, so that both ends are met to the last bit.
         let (near, part) = if share <= 0.5 {
             (row, share)

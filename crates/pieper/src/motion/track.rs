@@ -194,7 +194,10 @@ pub fn track(
 ) -> Result<Tracks> {
     if !(options.tolerance.is_finite() && options.tolerance > 0.0) {
         let subject = format!("tolerance {}", options.tolerance);
-        return Err(Error::input(subject, "a finite number above 0 was expected"));
+        return Err(Error::input(
+            subject,
+            "a finite number above 0 was expected",
+        ));
     }
     let chain = solver.chain();
     if let Some(start) = &options.start {
@@ -243,7 +246,12 @@ fn conclude(
     let mut none_within = Vec::new();
     for motion in &found.motions {
         let pieces = windings::pieces(space, &motion.knots, &home.q);
-        none_within.extend(ending::dead_at_start(space, motion, &pieces, law.times()[0]));
+        none_within.extend(ending::dead_at_start(
+            space,
+            motion,
+            &pieces,
+            law.times()[0],
+        ));
         for piece in pieces {
             let end = match piece.stop {
                 Some(stop) => ending::at_limit(&stop),
@@ -341,8 +349,8 @@ fn choose(space: &Space<'_>, tracks: &[Track], home: &Home, start: f64) -> Optio
             false => a.travel < b.travel,
         }
     };
-    let alive = (0..tracks.len())
-        .filter(|&k| tracks[k].from() <= start && tracks[k].end == End::Alive);
+    let alive =
+        (0..tracks.len()).filter(|&k| tracks[k].from() <= start && tracks[k].end == End::Alive);
     alive.fold(None, |best, k| match best {
         Some(kept) if !better(&tracks[k], &tracks[kept]) => Some(kept),
         _ => Some(k),

@@ -134,7 +134,10 @@ impl Certificate<'_> {
         }
         let mut out = Vec::new();
         for leg in &tracks.legs {
-            let switch = tracks.switches.iter().find(|switch| switch.time == leg.from);
+            let switch = tracks
+                .switches
+                .iter()
+                .find(|switch| switch.time == leg.from);
             if let Some(switch) = switch {
                 let joints = switch.travel.iter().zip(self.chain.variables());
                 let moved = joints.map(|(way, variable)| match variable.kind.is_angular() {
@@ -154,7 +157,9 @@ impl Certificate<'_> {
                 self.name(leg.track)
             ));
             let stops = &tracks.tracks[leg.track].stops;
-            let on_leg = stops.iter().filter(|stop| (leg.from..=leg.to).contains(&stop.0));
+            let on_leg = stops
+                .iter()
+                .filter(|stop| (leg.from..=leg.to).contains(&stop.0));
             out.extend(on_leg.map(|stop| self.stop(stop)));
         }
         out
@@ -199,13 +204,20 @@ impl Certificate<'_> {
         let (first, later): (Vec<_>, Vec<_>) = tracks.partition(|(_, t)| t.from() <= start);
         for (heading, list) in [
             ("Branches at the start of the path", first),
-            ("Branches that begin later, or come back within the limits", later),
+            (
+                "Branches that begin later, or come back within the limits",
+                later,
+            ),
         ] {
             if list.is_empty() {
                 continue;
             }
             let _ = writeln!(out, "\n{heading}");
-            let mut rows = vec![["", "branch", "from", "to", "rate", "travel"].map(str::to_owned).to_vec()];
+            let mut rows = vec![
+                ["", "branch", "from", "to", "rate", "travel"]
+                    .map(str::to_owned)
+                    .to_vec(),
+            ];
             let mut fates = vec!["what becomes of it".to_owned()];
             for (index, track) in list {
                 let (to, fate) = self.fate(track);
@@ -224,7 +236,9 @@ impl Certificate<'_> {
             }
         }
         out.push_str("\nrate: the largest rate of a joint, as part of its limit (180 deg/s or 1 m/s where it has none)\n");
-        out.push_str("travel: the sum over all joints, radians (a slide's length as part of the arm's)\n");
+        out.push_str(
+            "travel: the sum over all joints, radians (a slide's length as part of the arm's)\n",
+        );
         out
     }
 
@@ -237,7 +251,10 @@ impl Certificate<'_> {
                 End::Alive => (Value::Null, Value::Null),
                 End::Dies { time, event } => (json!(time), json!(event.sentence(self.chain))),
             };
-            let stops = track.stops.iter().map(|(t, turned)| json!({"t": t, "turned": turned}));
+            let stops = track
+                .stops
+                .iter()
+                .map(|(t, turned)| json!({"t": t, "turned": turned}));
             json!({
                 "number": index + 1,
                 "branch": track.branch,
@@ -254,7 +271,8 @@ impl Certificate<'_> {
             })
         };
         let leg = |leg: &pieper::motion::Leg| json!({"number": leg.track + 1, "from": leg.from, "to": leg.to});
-        let switch = |switch: &pieper::motion::Switch| json!({"t": switch.time, "travel": switch.travel});
+        let switch =
+            |switch: &pieper::motion::Switch| json!({"t": switch.time, "travel": switch.travel});
         let gap = |gap: &Gap| {
             let why = match gap.worst {
                 Some(worst) => worst.to_string(),
@@ -301,7 +319,10 @@ pub(super) fn section(run: &Run, path: &Path, drawn: &[Drawing]) -> Section {
     };
     let alternative = certificate.alternative();
     if !alternative.is_empty() {
-        section = section.paragraph(format!("The nearest alternative: {}", alternative.join(" ")));
+        section = section.paragraph(format!(
+            "The nearest alternative: {}",
+            alternative.join(" ")
+        ));
     }
     section = section.paragraph(certificate.accuracy());
     if let Some(drawing) = drawn.iter().find(|drawing| drawing.name == FIGURE) {
@@ -312,7 +333,15 @@ pub(super) fn section(run: &Run, path: &Path, drawn: &[Drawing]) -> Section {
         true => format!("Branches (the first {MOST_LISTED} of {all}; {JSON} has them all)"),
         false => "Branches".to_owned(),
     };
-    let head = ["", "Branch", "from", "to", "largest rate", "travel", "what becomes of it"];
+    let head = [
+        "",
+        "Branch",
+        "from",
+        "to",
+        "largest rate",
+        "travel",
+        "what becomes of it",
+    ];
     let table = Table::new(caption, head);
     let tracks = path.tracks.tracks.iter().take(MOST_LISTED).enumerate();
     section.table(tracks.fold(table, |table, (index, track)| {

@@ -4,13 +4,13 @@ use pieper::model::Chain;
 use pieper::motion::State;
 use pieper::motion::{End, Track};
 use pieper_plot::{
-    ArmViews, BranchChart, BranchLine, Figure, Panel, PathMark, PathViews, Series, Space, TimeChart, TimeMark, arm_views,
-    branch_chart, path_views, time_chart,
+    ArmViews, BranchChart, BranchLine, Figure, Panel, PathMark, PathViews, Series, Space,
+    TimeChart, TimeMark, arm_views, branch_chart, path_views, time_chart,
 };
 
+use super::motion::Path;
 use super::progress::Progress;
 use super::recording::Mark;
-use super::motion::Path;
 use super::{Run, certificate, names, skeleton};
 use crate::error::Failure;
 
@@ -183,7 +183,11 @@ fn rates_of(run: &Run) -> (Vec<f64>, Vec<Vec<f64>>) {
 fn branches(run: &Run, path: &Path) -> pieper_plot::Result<Figure> {
     let variables = run.chain.variables();
     let joints = variables.iter().enumerate().map(|(index, variable)| {
-        let unit = if variable.kind.is_angular() { "°" } else { "mm" };
+        let unit = if variable.kind.is_angular() {
+            "°"
+        } else {
+            "mm"
+        };
         (names::joint(index, variable), unit.to_owned())
     });
     let line = |times: Vec<f64>, rows: &[Vec<f64>], is_chosen: bool, dies: bool| BranchLine {
@@ -205,7 +209,14 @@ fn branches(run: &Run, path: &Path) -> pieper_plot::Result<Figure> {
     let has_course = |track: &&Track| track.times.len() > 1 || path.times.len() == 1;
     let all = tracks.tracks.iter().filter(has_course);
     let mut lines: Vec<BranchLine> = all
-        .map(|track| line(track.times.clone(), &track.rows, false, track.end != End::Alive))
+        .map(|track| {
+            line(
+                track.times.clone(),
+                &track.rows,
+                false,
+                track.end != End::Alive,
+            )
+        })
         .collect();
     for leg in &tracks.legs {
         let (times, rows) = tracks.tracks[leg.track].part(leg.from, leg.to);

@@ -168,7 +168,11 @@ fn execute(chain: &Chain, path: &mut Path) -> Result<Option<Law>, Failure> {
     let mut covered: Option<[f64; 2]> = None;
     let gaps = path.tracks.gaps.clone();
     for leg in &path.tracks.legs {
-        if covered.is_some() && gaps.iter().any(|gap| gap.to <= leg.from && gap.to > gap.from) {
+        if covered.is_some()
+            && gaps
+                .iter()
+                .any(|gap| gap.to <= leg.from && gap.to > gap.from)
+        {
             break;
         }
         let (moments, values) = path.tracks.tracks[leg.track].part(leg.from, leg.to);
@@ -214,7 +218,10 @@ fn duration(chain: &Chain, from: &[f64], to: &[f64]) -> f64 {
             true => std::f64::consts::PI,
             false => 1.0,
         };
-        let rate = variable.velocity.filter(|rate| *rate > 0.0).unwrap_or(usual);
+        let rate = variable
+            .velocity
+            .filter(|rate| *rate > 0.0)
+            .unwrap_or(usual);
         longest.max((b - a).abs() / (UNHURRIED * rate))
     })
 }

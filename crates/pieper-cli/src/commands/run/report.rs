@@ -128,7 +128,10 @@ fn thinned(run: &Run, shown: usize) -> String {
 }
 
 fn poses(run: &Run) -> Section {
-    let note = run.note.as_deref().map_or(String::new(), |note| format!(" {note}"));
+    let note = run
+        .note
+        .as_deref()
+        .map_or(String::new(), |note| format!(" {note}"));
     let marks = run.recording.some_marks(MOST_MATRICES);
     let name = names::transform(&run.chain);
     let matrix = |mark: &&Mark| {

@@ -127,7 +127,8 @@ impl Composer<'_, '_> {
                 entry: Some(entry),
                 exit: Some(exit),
             };
-            let passed = standing::pass(self.sampler, self.grid, &stretch, self.home, self.tolerance)?;
+            let passed =
+                standing::pass(self.sampler, self.grid, &stretch, self.home, self.tolerance)?;
             match passed.len() == items.len() {
                 true => smooth.push(next),
                 false => {
@@ -148,7 +149,9 @@ impl Composer<'_, '_> {
 
     fn items(&self, strand: &Strand) -> Vec<(usize, &Node)> {
         let places = strand.places.iter();
-        places.map(|&place| (place.0, node(self.grid, place))).collect()
+        places
+            .map(|&place| (place.0, node(self.grid, place)))
+            .collect()
     }
 
     fn motion(&self, way: &[usize]) -> Result<Motion> {
@@ -175,7 +178,8 @@ impl Composer<'_, '_> {
                 entry: at.checked_sub(1).map(|k| items[k].0).zip(before),
                 exit: items.get(end).map(|item| (item.0, item.1.q)),
             };
-            let passed = standing::pass(self.sampler, self.grid, &stretch, self.home, self.tolerance)?;
+            let passed =
+                standing::pass(self.sampler, self.grid, &stretch, self.home, self.tolerance)?;
             knots.extend(passed.iter().map(|&(sample, q)| Knot {
                 time: self.grid.samples[sample].time,
                 q,

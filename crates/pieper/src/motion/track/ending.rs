@@ -81,7 +81,10 @@ impl Event {
                     None => "two branches meet".to_owned(),
                 };
                 let beyond = beyond.map_or(String::new(), |beyond| {
-                    format!("; just beyond, no branch reaches the path: {}", cause(&beyond))
+                    format!(
+                        "; just beyond, no branch reaches the path: {}",
+                        cause(&beyond)
+                    )
                 });
                 format!("{pose}: {other}{beyond}")
             }
@@ -129,7 +132,11 @@ fn named(variable: Option<&Variable>, value: f64) -> (&str, String) {
     let shown = |value: f64| {
         let text = format!("{value:.3}");
         let text = text.trim_end_matches('0').trim_end_matches('.');
-        if text == "-0" { "0".to_owned() } else { text.to_owned() }
+        if text == "-0" {
+            "0".to_owned()
+        } else {
+            text.to_owned()
+        }
     };
     let value = match variable.kind.is_angular() {
         true => format!("{}°", shown(value.to_degrees())),
@@ -156,7 +163,10 @@ pub(super) fn dead_at_start(
     start: f64,
 ) -> Option<Track> {
     let first = motion.knots.first().filter(|knot| knot.time <= start)?;
-    if pieces.first().is_some_and(|piece| piece.knots[0].time <= first.time) {
+    if pieces
+        .first()
+        .is_some_and(|piece| piece.knots[0].time <= first.time)
+    {
         return None;
     }
     let (joint, value, limit) = windings::outside(space, &first.q)?;
@@ -252,7 +262,8 @@ fn is_stretched(space: &Space<'_>, q: &JointVector) -> Option<bool> {
         };
         let (second, index) = frame(1)?;
         let (fifth, _) = frame(4)?;
-        let axis: Vector3<f64> = second.rotation * space.chain.joints()[index].motion.axis()?.into_inner();
+        let axis: Vector3<f64> =
+            second.rotation * space.chain.joints()[index].motion.axis()?.into_inner();
         let lever = fifth.translation.vector - second.translation.vector;
         Some(axis.cross(&lever).norm())
     };

@@ -89,7 +89,8 @@ fn chosen(samples: &[Sample], found: &[([f64; 2], Vec<Link>)]) -> Vec<Span> {
     let is_set = |(sample, node): (usize, usize)| samples[sample].nodes[node].set.is_some();
     spans.retain(|span| {
         let (from, to) = (span.from(), span.to());
-        let is_free = (is_set(from) || !leaves[from.0][from.1]) && (is_set(to) || !comes[to.0][to.1]);
+        let is_free =
+            (is_set(from) || !leaves[from.0][from.1]) && (is_set(to) || !comes[to.0][to.1]);
         if is_free {
             (leaves[from.0][from.1], comes[to.0][to.1]) = (true, true);
         }

@@ -154,7 +154,10 @@ fn step(
     }
     for share in [0.25, 0.5, 0.75] {
         let pose = sampler.law.at(here.time + share * (time - here.time));
-        if !space.miss(&add(&here.q, &way, share), &pose)?.within(tolerance) {
+        if !space
+            .miss(&add(&here.q, &way, share), &pose)?
+            .within(tolerance)
+        {
             return Ok(None);
         }
     }

@@ -173,9 +173,7 @@ impl<'a> Sampler<'a> {
         let member = self
             .solver
             .nearest_member(family, &wrapped[..self.space.dof()])?;
-        Ok(Some(
-            self.space.beside(seed, &self.space.vector(&member)),
-        ))
+        Ok(Some(self.space.beside(seed, &self.space.vector(&member))))
     }
 
     /// The point nearest to `seed` on the line through `point` along `free`, and on the lines a whole turn of one

@@ -195,7 +195,8 @@ impl<'a> Space<'a> {
             (0..6).for_each(|j| way[j] = v_t[(index, j)] * unit(j));
         }
         let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
-        way.iter_mut().for_each(|x| *x /= length.max(f64::MIN_POSITIVE));
+        way.iter_mut()
+            .for_each(|x| *x /= length.max(f64::MIN_POSITIVE));
         Ok(Some((least, way)))
     }
 }
@@ -265,6 +266,10 @@ fn error(from: &Pose, to: &Pose) -> Vector6<f64> {
     ) * 0.5;
     let sine = axis.norm();
     let angle = sine.atan2((turn.trace() - 1.0) * 0.5);
-    let turn = if sine > 0.0 { axis * (angle / sine) } else { axis };
+    let turn = if sine > 0.0 {
+        axis * (angle / sine)
+    } else {
+        axis
+    };
     Vector6::new(shift.x, shift.y, shift.z, turn.x, turn.y, turn.z)
 }

@@ -87,12 +87,7 @@ pub(super) fn pass(
     if shift != 0.0 || total != 0.0 {
         walk.spread(stretch.items, &mut line, shift, total)?;
     }
-    let mut out: Vec<_> = stretch
-        .items
-        .iter()
-        .map(|item| item.0)
-        .zip(line)
-        .collect();
+    let mut out: Vec<_> = stretch.items.iter().map(|item| item.0).zip(line).collect();
     if let (Some(leaving), Some(&(sample, q))) = (leaving, out.last()) {
         let goal = add(&q, &around(sampler, last.1, &q, &leaving), 1.0);
         if sampler.space.size(&minus(&goal, &q)) > SAME {
@@ -297,7 +292,11 @@ fn shares(steps: &[Step], total: f64) -> Vec<f64> {
         .collect();
     let all: f64 = room.iter().sum();
     let open = if (open - all).abs() < SAME { all } else { open };
-    let share = if all == 0.0 { 0.0 } else { (open / all).min(1.0) };
+    let share = if all == 0.0 {
+        0.0
+    } else {
+        (open / all).min(1.0)
+    };
     let duration: f64 = steps.iter().map(|step| step.duration).sum();
     let excess = match duration > 0.0 {
         true => (open - share * all) / duration,

@@ -65,10 +65,19 @@ pub(super) fn pieces(space: &Space<'_>, knots: &[Knot], home: &JointVector) -> V
 }
 
 /// How far a part of a motion that is within limits from knot `at` on reaches back: its knots, from where it enters.
-fn before(space: &Space<'_>, knots: &[Knot], at: usize, turned: &impl Fn(&Knot) -> Knot) -> Vec<Knot> {
+fn before(
+    space: &Space<'_>,
+    knots: &[Knot],
+    at: usize,
+    turned: &impl Fn(&Knot) -> Knot,
+) -> Vec<Knot> {
     let variables = space.chain.variables();
     let outside = |knot: &Knot| -> Vec<usize> {
-        let is_out = |j: &usize| variables[*j].limits.is_some_and(|limits| !within(limits, knot.q[*j]));
+        let is_out = |j: &usize| {
+            variables[*j]
+                .limits
+                .is_some_and(|limits| !within(limits, knot.q[*j]))
+        };
         (0..space.dof()).filter(is_out).collect()
     };
     let mut entry = Vec::new();
@@ -80,7 +89,9 @@ fn before(space: &Space<'_>, knots: &[Knot], at: usize, turned: &impl Fn(&Knot) 
             continue;
         }
         let inside = entry.last().copied().unwrap_or_else(|| turned(&knots[at]));
-        let crossings = out.iter().map(|&joint| crossing(space, joint, &inside, &knot));
+        let crossings = out
+            .iter()
+            .map(|&joint| crossing(space, joint, &inside, &knot));
         let latest = crossings.max_by(|a, b| a.time.total_cmp(&b.time));
         entry.extend(latest.filter(|knot| knot.time < inside.time));
         break;
@@ -134,8 +145,12 @@ fn shifts(angular: bool, limits: Limits, value: f64) -> Vec<f64> {
         return vec![0.0];
     }
     let slack = TOLERANCES.limit;
-    let first = ((limits.lower() - slack - value) / TAU).ceil().max(-MOST_TURNS) as i64;
-    let last = ((limits.upper() + slack - value) / TAU).floor().min(MOST_TURNS) as i64;
+    let first = ((limits.lower() - slack - value) / TAU)
+        .ceil()
+        .max(-MOST_TURNS) as i64;
+    let last = ((limits.upper() + slack - value) / TAU)
+        .floor()
+        .min(MOST_TURNS) as i64;
     (first..=last).map(|turn| turn as f64 * TAU).collect()
 }
 

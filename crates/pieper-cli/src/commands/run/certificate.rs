@@ -342,7 +342,7 @@ pub(super) fn section(run: &Run, path: &Path, drawn: &[Drawing]) -> Section {
         "travel",
         "what becomes of it",
     ];
-    let table = Table::new(caption, head);
+    let table = Table::new(caption, head).words([1, 6]);
     let tracks = path.tracks.tracks.iter().take(MOST_LISTED).enumerate();
     section.table(tracks.fold(table, |table, (index, track)| {
         let (to, fate) = certificate.fate(track);

@@ -77,7 +77,7 @@ pub(super) fn of(
             let law = Law::new(table.times.clone(), rows, wishes.profile)?;
             return Ok(Found::Motion(Box::new(Motion {
                 law,
-                marks: named(&names, &table.times, |t| Some(t)),
+                marks: named(&names, &table.times, Some),
                 rows: table.times,
                 note,
                 path: None,

@@ -6,4 +6,5 @@
 mod fk;
 mod ik_questions;
 mod run;
+mod run_paths;
 mod support;

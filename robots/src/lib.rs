@@ -57,6 +57,7 @@ built_in! {
     "six-axis"
     "gantry"
     "puma560"
+    "abb-paper"
     "stanford"
     "irb120"
     "irb140"

@@ -17,6 +17,7 @@ mod motion;
 mod motion_tables;
 mod orientation;
 mod support;
+mod transmission;
 mod urdf;
 mod urdf_errors;
 mod urdf_xacro;

@@ -6,3 +6,4 @@
 mod fk;
 mod run;
 mod support;
+mod transmission;

@@ -177,11 +177,13 @@ impl Answer {
         }
         if !self.motors.is_empty() {
             let _ = writeln!(out, "\nmotors ({unit}, metres), a row for each solution");
-            let reason = |motors: &Motors| motors.reason.clone().unwrap_or_default();
-            let row = |motors: &Motors| motors.cells(deg).chain([reason(motors)]).collect();
-            out.push_str(&text::listing(
-                &self.motors.iter().map(row).collect::<Vec<_>>(),
-            ));
+            let rows = self.motors.iter().map(|motors| motors.cells(deg).collect());
+            out.push_str(&text::table(&rows.collect::<Vec<_>>()));
+            for (index, motors) in self.motors.iter().enumerate() {
+                if let Some(reason) = &motors.reason {
+                    let _ = writeln!(out, "  solution {}: {reason}", index + 1);
+                }
+            }
         }
         if self.outside > 0 {
             let _ = writeln!(out, "\n{} more lie outside the limits", self.outside);

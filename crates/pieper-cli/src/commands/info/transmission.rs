@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use pieper::Result;
-use pieper::transmission::{Linkage, Motor, MotorKind, Ratios, Span, Transmission};
+use pieper::transmission::{Linkage, Motor, Ratios, Span, Transmission};
 use serde_json::{Value, json};
 
 use crate::text;
@@ -125,29 +125,26 @@ fn degrees(span: Span) -> String {
 /// The motor's value by the joints, as a formula.
 fn equation(motor: &Motor) -> String {
     let mut sum = Sum(String::new());
+    let ratio = motor.ratio();
+    // A gear of one term, or of 1, needs no brackets.
+    let inner = match ratio == 1.0 || (motor.terms().len() == 1 && motor.linkage().is_none()) {
+        true => ratio,
+        false => 1.0,
+    };
     for term in motor.terms() {
-        sum.add(term.factor, &format!("q{}", term.variable + 1));
-        sum.add(term.offset.to_degrees(), "");
+        sum.add(inner * term.factor, &format!("q{}", term.variable + 1));
     }
     if motor.linkage().is_some() {
-        sum.add(1.0, "psi");
+        sum.add(inner, "psi");
     }
-    if motor.ratio() == 1.0 {
-        sum.add(motor.offset().to_degrees(), "");
-        return sum.0;
+    if inner != ratio {
+        let inside = std::mem::take(&mut sum.0);
+        sum.add(ratio, &format!("({inside})"));
     }
-    let is_one = motor.variables().count() == 1 && motor.kind() != MotorKind::FourBar;
-    let (factor, symbol) = match (is_one, motor.terms()) {
-        (true, [term]) => (
-            motor.ratio() * term.factor,
-            format!("q{}", term.variable + 1),
-        ),
-        _ => (motor.ratio(), format!("({})", sum.0)),
-    };
-    let mut whole = Sum(String::new());
-    whole.add(factor, &symbol);
-    whole.add(motor.offset().to_degrees(), "");
-    whole.0
+    let offsets: f64 = motor.terms().iter().map(|term| term.offset).sum();
+    let constant = ratio.mul_add(offsets, motor.offset());
+    sum.add(constant.to_degrees(), "");
+    sum.0
 }
 
 /// A sum as one writes it.
@@ -166,14 +163,18 @@ impl Sum {
             (false, true) => " - ",
         };
         self.0.push_str(sign);
-        // Ten digits: formulas in degrees keep the dust of their conversion to themselves.
-        let size = (factor.abs() * 1e10).round() / 1e10;
+        let size = clean(factor.abs());
         let _ = match (size == 1.0, symbol.is_empty()) {
             (true, false) => write!(self.0, "{symbol}"),
             (_, true) => write!(self.0, "{size}"),
             (false, false) => write!(self.0, "{size}*{symbol}"),
         };
     }
+}
+
+/// Ten decimals: the dust of a conversion to degrees or from millimetres is not shown.
+fn clean(value: f64) -> f64 {
+    (value * 1e10).round() / 1e10
 }
 
 fn linkage_text(name: &str, linkage: &Linkage) -> String {
@@ -188,10 +189,10 @@ fn linkage_text(name: &str, linkage: &Linkage) -> String {
     let mut out = format!(
         "\nfour-bar of {name}, {}: crank {}, coupler {}, rocker {}, frame {}\n",
         four_bar.assembly().name(),
-        lengths.crank,
-        lengths.coupler,
-        lengths.rocker,
-        lengths.frame
+        clean(lengths.crank),
+        clean(lengths.coupler),
+        clean(lengths.rocker),
+        clean(lengths.frame)
     );
     let reach: Vec<String> = four_bar.reach().into_iter().map(degrees).collect();
     let mut rows = vec![

@@ -29,7 +29,7 @@ pub enum CouplingExpr {
     /// `offset + ratio * (frame_angle + psi(rocker_angle))`
     FourBar {
         /// Crank, coupler, rocker, frame.
-        lengths: [Expr; 4],
+        lengths: Box<[Expr; 4]>,
         /// Which of the two.
         assembly: Assembly,
         /// The angle of the rocker, 0 where it is perpendicular to the frame.
@@ -101,7 +101,7 @@ impl MotorExpr {
                 frame_angle,
                 gear,
             } => {
-                let [crank, coupler, rocker, frame] = lengths;
+                let [crank, coupler, rocker, frame] = &**lengths;
                 let lengths = Lengths {
                     crank: crank.evaluate(values)?,
                     coupler: coupler.evaluate(values)?,

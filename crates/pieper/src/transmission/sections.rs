@@ -260,7 +260,7 @@ fn crank_rests(linkage: &FourBar, spans: &[Span]) -> Vec<DeadPoint> {
     for (bd, towards) in [((rocker - coupler).abs(), folded), (rocker + coupler, 1.0)] {
         let cosine = 1.0 - (bd - crank + frame) * (bd + crank - frame) / (2.0 * crank * frame);
         // At exactly +-1 all bars are in line: a change point, which ends the reach already.
-        if !(cosine.abs() < 1.0 - CHANGE_POINT) {
+        if cosine.abs() >= 1.0 - CHANGE_POINT {
             continue;
         }
         for theta in [cosine.acos(), -cosine.acos()] {

@@ -86,12 +86,12 @@ impl Context<'_> {
             let field = table.require(name, "the length of that bar")?;
             field.expr(Some(self.known))
         };
-        let lengths = [
+        let lengths = Box::new([
             length("crank")?,
             length("coupler")?,
             length("rocker")?,
             length("frame")?,
-        ];
+        ]);
         let assembly = match table.get("assembly") {
             None => Assembly::Open,
             Some(field) => match field.string()? {

@@ -171,7 +171,10 @@ fn write_motor(out: &mut String, motor: &MotorExpr) -> std::fmt::Result {
             frame_angle,
             gear,
         } => {
-            for (key, length) in ["crank", "coupler", "rocker", "frame"].iter().zip(lengths) {
+            for (key, length) in ["crank", "coupler", "rocker", "frame"]
+                .iter()
+                .zip(lengths.iter())
+            {
                 writeln!(out, "{key} = {}", value(length))?;
             }
             writeln!(out, "assembly = {}", quoted(assembly.name()))?;

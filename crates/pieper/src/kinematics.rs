@@ -16,6 +16,7 @@ mod quaternion;
 mod reach;
 mod single;
 mod statics;
+mod tile;
 
 pub use directions::{AxisDirections, Directions};
 pub use forward::{link_poses, tool_pose};

@@ -57,7 +57,6 @@ built_in! {
     "six-axis"
     "gantry"
     "puma560"
-    "abb-paper"
     "stanford"
     "irb120"
     "irb140"
@@ -104,4 +103,5 @@ built_in! {
     "kinova-gen3"
     "xarm6"
     "xarm7"
+    "abb-paper"
 }

@@ -506,3 +506,21 @@ joints = { q1 = "k", q4 = "2*pi/0.02" }
     assert!((motors[3] - spindle).abs() < 1e-14);
     assert!(!transmission.is_direct());
 }
+
+#[test]
+fn between_motors_and_joints_nothing_allocates() {
+    for (_, transmission) in [abb(), coupled()] {
+        let mut random = fastrand::Rng::with_seed(27);
+        let q = reachable(&transmission, &mut random);
+        let dof = q.len();
+        let (mut motors, mut back, mut ratios) = (q.clone(), q.clone(), Ratios::zeros(dof));
+        let count = crate::hot_calls::allocations(|| {
+            transmission.motors(&q, &mut motors).unwrap().unwrap();
+            transmission.joints(&motors, &mut back).unwrap().unwrap();
+            transmission.ratios(&q, &mut ratios).unwrap().unwrap();
+            ratios.motor_torques(&q, &mut back).unwrap();
+            transmission.range(2, &q).unwrap();
+        });
+        assert_eq!(count, 0);
+    }
+}

@@ -65,6 +65,7 @@ const CLASSES: &[(&str, &str)] = &[
     ("kinova-gen3", "general, numeric"),
     ("xarm6", "general, general"),
     ("xarm7", "general, numeric"),
+    ("abb-paper", "spherical wrist, spherical"),
 ];
 
 #[test]

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod fk;
+mod ik_questions;
 mod run;
 mod support;
 mod transmission;

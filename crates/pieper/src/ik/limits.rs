@@ -3,6 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::TOLERANCES;
+use super::arm::Arm;
+use super::curve;
 use super::solutions::{JointVector, Solution, Solutions};
 use crate::model::{Chain, Variable};
 
@@ -15,6 +17,39 @@ pub(super) fn within(chain: &Chain, q: &JointVector) -> bool {
             limits.lower() - slack <= value && value <= limits.upper() + slack
         })
     })
+}
+
+/// Whether every value, or a copy of it by whole turns, lies within its joint's limits.
+pub(super) fn fits(chain: &Chain, q: &JointVector) -> bool {
+    let joints = chain.variables().iter().zip(q);
+    joints
+        .into_iter()
+        .all(|(variable, &value)| copy_within(variable, value).is_some())
+}
+
+/// Replaces every value by the copy closest to it that lies within its joint's limits, where there is one.
+pub(super) fn bring(chain: &Chain, q: &mut JointVector) {
+    for (variable, value) in chain.variables().iter().zip(q) {
+        *value = copy_within(variable, *value).unwrap_or(*value);
+    }
+}
+
+/// The copy by whole turns closest to a value that lies within the limits.
+fn copy_within(variable: &Variable, value: f64) -> Option<f64> {
+    let Some(limits) = variable.limits else {
+        return Some(value);
+    };
+    let (lower, upper) = (
+        limits.lower() - TOLERANCES.limit,
+        limits.upper() + TOLERANCES.limit,
+    );
+    let turns = match variable.kind.is_angular() {
+        true if value < lower => ((lower - value) / TAU).ceil(),
+        true if value > upper => -((value - upper) / TAU).ceil(),
+        _ => 0.0,
+    };
+    let value = value + turns * TAU;
+    (lower <= value && value <= upper).then_some(value)
 }
 
 /// The most copies of one solution that are listed: six joints with three turns each.
@@ -81,6 +116,9 @@ pub enum Ranking<'a> {
     Seed(&'a [f64]),
     /// The one farthest from its limits (the smallest margin, as part of each joint's range).
     Margin,
+    /// The one farthest from a singular pose: by the smallest singular value of the Jacobian there, with lengths in the
+    /// arm's extent.
+    Singularity,
 }
 
 /// Sorts solutions; equal ones keep their order.
@@ -108,6 +146,12 @@ pub fn rank(chain: &Chain, solutions: &mut [Solution], ranking: Ranking<'_>) {
                 margins.fold(f64::INFINITY, f64::min)
             };
             solutions.sort_by(|a, b| margin(b).total_cmp(&margin(a)));
+        }
+        Ranking::Singularity => {
+            // A chain that no solver takes has no solutions to sort.
+            let Ok(arm) = Arm::new(chain) else { return };
+            let regular = |solution: &Solution| curve::tangent(&arm, &solution.q).1;
+            solutions.sort_by(|a, b| regular(b).total_cmp(&regular(a)));
         }
     }
 }

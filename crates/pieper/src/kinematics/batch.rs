@@ -308,47 +308,6 @@ fn tiles<S: Simd>(
     first
 }
 
-/// Vectors in a group of [`group`].
-pub(crate) const GROUP: usize = 8;
-
-/// The tool's poses for [`GROUP`] joint vectors on the stack, value `j` of vector `k` at `q[j][k]`; `false`, and nothing
-/// of use written, if an angle is too large or not finite, or if this processor has no registers of several doubles.
-///
-/// For inverse kinematics, which verifies a handful of solutions at once.
-#[inline]
-pub(crate) fn group(
-    canonical: &Canonical,
-    q: &[[f64; GROUP]],
-    out: &mut [[f64; GROUP]; ENTRIES],
-) -> bool {
-    Arch::new().dispatch(Group { canonical, q, out })
-}
-
-struct Group<'a> {
-    canonical: &'a Canonical,
-    q: &'a [[f64; GROUP]],
-    out: &'a mut [[f64; GROUP]; ENTRIES],
-}
-
-impl WithSimd for Group<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let width = S::F64_LANES;
-        if width == 1 || !GROUP.is_multiple_of(width) {
-            return false;
-        }
-        let joint = |variable: usize| S::as_simd_f64s(&self.q[variable]).0;
-        let names = Names::before(&self.canonical.steps);
-        let entries = self
-            .out
-            .each_mut()
-            .map(|column| S::as_mut_simd_f64s(column).0);
-        tile::poses(simd, self.canonical, names, joint, entries)
-    }
-}
-
 /// One pose with the standard library's sine and cosine; the vector's index if a value is not finite.
 fn plain(
     canonical: &Canonical,

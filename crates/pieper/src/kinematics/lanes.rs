@@ -58,12 +58,24 @@ impl<S: Simd> Mul for Lanes<S> {
     }
 }
 
+/// `-v`. Not `neg_f64s`, nor `abs_f64s` below: those are not always inlined, and without link-time optimisation become calls.
+#[inline(always)]
+pub(crate) fn negative<S: Simd>(simd: S, v: S::f64s) -> S::f64s {
+    simd.xor_f64s(v, simd.splat_f64s(-0.0))
+}
+
+/// `|v|`.
+#[inline(always)]
+pub(crate) fn magnitude<S: Simd>(simd: S, v: S::f64s) -> S::f64s {
+    simd.and_f64s(v, simd.splat_f64s(f64::from_bits(!(1 << 63))))
+}
+
 impl<S: Simd> Neg for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         Self {
-            value: self.simd.neg_f64s(self.value),
+            value: negative(self.simd, self.value),
             ..self
         }
     }
@@ -135,9 +147,9 @@ impl<S: Simd> Column for LaneColumn<S> {
         let simd = self.simd;
         Self {
             simd,
-            x: simd.neg_f64s(self.x),
-            y: simd.neg_f64s(self.y),
-            z: simd.neg_f64s(self.z),
+            x: negative(simd, self.x),
+            y: negative(simd, self.y),
+            z: negative(simd, self.z),
         }
     }
 }

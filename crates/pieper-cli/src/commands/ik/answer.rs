@@ -24,8 +24,18 @@ pub(super) struct Answer {
     nearest: Option<Nearest>,
     /// Isolated solutions left out because no copy of them lies within the limits.
     outside: usize,
+    /// The same for families.
+    families_outside: usize,
     /// The motors at each solution; none if they drive their joints directly.
     motors: Vec<Motors>,
+}
+
+/// What is wanted of an answer.
+pub(super) struct Wish<'a> {
+    pub(super) seed: Option<&'a [f64]>,
+    pub(super) ranking: Option<Ranking<'a>>,
+    /// Only what lies within the limits.
+    pub(super) limits: bool,
 }
 
 struct Members {
@@ -33,30 +43,27 @@ struct Members {
     free: Vec<f64>,
     branch: String,
     samples: Vec<Vec<f64>>,
+    ranges: Vec<ik::Range>,
     closest: Option<Vec<f64>>,
 }
 
 impl Answer {
-    pub(super) fn compute(
-        solver: &Solver,
-        pose: &Pose,
-        seed: Option<&[f64]>,
-        limits: bool,
-    ) -> Result<Self> {
+    pub(super) fn compute(solver: &Solver, pose: &Pose, wish: &Wish<'_>) -> Result<Self> {
         let found = solver.solve(pose)?;
         let chain = solver.chain();
         let mut solutions = found.as_slice().to_vec();
         let mut outside = 0;
-        if limits {
+        if wish.limits {
             solutions = ik::windings(chain, &found);
             outside = found
                 .iter()
                 .filter(|one| !solutions.iter().any(|copy| copy.branch == one.branch))
                 .count();
         }
-        if let Some(seed) = seed {
-            ik::rank(chain, &mut solutions, Ranking::Seed(seed));
+        if let Some(ranking) = wish.ranking {
+            ik::rank(chain, &mut solutions, ranking);
         }
+        let families = members(solver, &found, wish)?;
         let nearest = match (found.status(), found.nearest()) {
             (Status::Unreachable, None) => Some(solver.nearest(pose)?),
             (_, nearest) => nearest.copied(),
@@ -64,7 +71,8 @@ impl Answer {
         Ok(Self {
             status: found.status(),
             solutions,
-            families: members(solver, &found, seed)?,
+            families_outside: found.families().len() - families.len(),
+            families,
             reason: found.reason().map(|reason| reason.to_string()),
             nearest,
             outside,
@@ -118,11 +126,15 @@ impl Answer {
         };
         let family = |family: &Members| {
             let samples: Vec<Value> = family.samples.iter().map(|q| shown(q)).collect();
+            let range =
+                |range: &ik::Range| json!({"from": shown(&range.from), "to": shown(&range.to)});
+            let ranges: Vec<Value> = family.ranges.iter().map(range).collect();
             let mut out = json!({
                 "q": shown(&family.q),
                 "free": family.free,
                 "branch": family.branch,
                 "samples": samples,
+                "ranges": ranges,
             });
             if let Some(closest) = &family.closest {
                 out["nearest_to_seed"] = shown(closest);
@@ -188,6 +200,13 @@ impl Answer {
         if self.outside > 0 {
             let _ = writeln!(out, "\n{} more lie outside the limits", self.outside);
         }
+        if self.families_outside > 0 {
+            let _ = writeln!(
+                out,
+                "\n{} families lie outside the limits",
+                self.families_outside
+            );
+        }
         for (index, family) in self.families.iter().enumerate() {
             let _ = writeln!(
                 out,
@@ -208,6 +227,13 @@ impl Answer {
             ];
             if let Some(closest) = &family.closest {
                 rows.push(row("nearest to seed", &in_units(chain, closest, deg)));
+            }
+            for range in &family.ranges {
+                rows.push(row(
+                    "within limits from",
+                    &in_units(chain, &range.from, deg),
+                ));
+                rows.push(row("to", &in_units(chain, &range.to, deg)));
             }
             rows.extend(
                 family
@@ -267,9 +293,9 @@ impl Answer {
     }
 }
 
-fn members(solver: &Solver, found: &Solutions, seed: Option<&[f64]>) -> Result<Vec<Members>> {
+fn members(solver: &Solver, found: &Solutions, wish: &Wish<'_>) -> Result<Vec<Members>> {
     let family = |family: &ik::Family| {
-        let closest = match seed {
+        let closest = match wish.seed {
             Some(seed) => Some(solver.nearest_member(family, seed)?),
             None => None,
         };
@@ -277,11 +303,23 @@ fn members(solver: &Solver, found: &Solutions, seed: Option<&[f64]>) -> Result<V
             q: family.q().to_vec(),
             free: family.free().to_vec(),
             branch: family.branch.to_string(),
-            samples: solver.samples(family, SAMPLES),
+            samples: match wish.limits {
+                true => solver.samples_within(family, SAMPLES),
+                false => solver.samples(family, SAMPLES),
+            },
+            ranges: solver.ranges(family),
             closest,
         })
     };
-    found.families().iter().map(family).collect()
+    let mut families = found.families().to_vec();
+    if wish.limits {
+        // What lies outside as a whole is left out; the rest is shown by a member within.
+        families = families
+            .iter()
+            .filter_map(|family| solver.within_limits(family))
+            .collect();
+    }
+    families.iter().map(family).collect()
 }
 
 /// Joint values in the units of the answer.

@@ -51,7 +51,7 @@ impl Column for Quad {
     #[inline(always)]
     fn negated(&self) -> Self {
         Self {
-            value: self.simd.neg_f64s(self.value),
+            value: lanes::negative(self.simd, self.value),
             ..*self
         }
     }
@@ -69,9 +69,11 @@ impl SpaceColumn for Quad {
             pulp::cast::<_, f64x4>(lanes)
         };
         let product = self.simd.mul_f64s(yzx(self.value), other.value);
-        let turned =
-            self.simd
-                .mul_add_f64s(self.value, yzx(other.value), self.simd.neg_f64s(product));
+        let turned = self.simd.mul_add_f64s(
+            self.value,
+            yzx(other.value),
+            lanes::negative(self.simd, product),
+        );
         Self {
             value: yzx(turned),
             ..*self
@@ -220,7 +222,7 @@ impl Displacements {
             let full = |value| Lanes { simd, value };
             let value = full(simd.partial_load_f64s(q))
                 .mul_add(full(factors[register]), full(offsets[register]));
-            let in_range = simd.less_than_f64s(simd.abs_f64s(value.value), limit);
+            let in_range = simd.less_than_f64s(lanes::magnitude(simd, value.value), limit);
             small &= lanes::all_true(simd, in_range);
             let turn = lanes::sin_cos(value);
             values[register] = value.value;

@@ -4,6 +4,7 @@ mod convert;
 mod fk;
 mod ik;
 mod info;
+mod motors;
 mod robots;
 mod run;
 

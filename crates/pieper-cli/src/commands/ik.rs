@@ -140,6 +140,7 @@ impl Arguments {
             method: self.method.into(),
         };
         let solver = Solver::prepare(&chain, &question)?;
+        let drives = super::motors::of(&robot)?;
         let seed = match &self.seed {
             Some(text) => Some(self.seed_from_text(&chain, text)?),
             None => None,
@@ -150,12 +151,15 @@ impl Arguments {
         if let Some(input) = &self.files.input {
             return self.files.answer(input, |request| {
                 let answer = self.answer_request(&solver, request, seed.as_deref())?;
+                let answer = answer.driven_by(drives.as_ref(), self.limits);
+                let answer = answer.map_err(|error| error.to_string())?;
                 Ok(answer.fields(&chain, self.deg))
             });
         }
         let text = self.pose.as_deref().unwrap_or_default();
         let pose = pose::from_text(text, self.deg).map_err(Failure::input)?;
         let answer = Answer::compute(&solver, &pose, &self.wish(seed.as_deref()))?;
+        let answer = answer.driven_by(drives.as_ref(), self.limits)?;
         if self.json {
             output::document(&answer.document(&robot.name, &solver, self.deg))?;
         } else {

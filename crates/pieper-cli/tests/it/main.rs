@@ -8,3 +8,4 @@ mod ik_questions;
 mod run;
 mod run_paths;
 mod support;
+mod transmission;

@@ -18,6 +18,7 @@ mod motion_tables;
 mod orientation;
 mod support;
 mod tracks;
+mod transmission;
 mod urdf;
 mod urdf_errors;
 mod urdf_xacro;

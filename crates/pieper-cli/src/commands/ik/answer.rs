@@ -6,8 +6,10 @@ use pieper::Result;
 use pieper::ik::{self, Nearest, Ranking, Solution, Solutions, Solver, Status};
 use pieper::model::Chain;
 use pieper::spatial::Pose;
+use pieper::transmission::Transmission;
 use serde_json::{Map, Value, json};
 
+use crate::commands::motors::Motors;
 use crate::text;
 
 /// Members of a family that are listed.
@@ -24,6 +26,8 @@ pub(super) struct Answer {
     outside: usize,
     /// The same for families.
     families_outside: usize,
+    /// The motors at each solution; none if they drive their joints directly.
+    motors: Vec<Motors>,
 }
 
 /// What is wanted of an answer.
@@ -72,7 +76,32 @@ impl Answer {
             reason: found.reason().map(|reason| reason.to_string()),
             nearest,
             outside,
+            motors: Vec::new(),
         })
+    }
+
+    /// The same with the motors' values. What a drive cannot reach lies outside the limits, and is left out with
+    /// `--limits`.
+    pub(super) fn driven_by(mut self, drives: Option<&Transmission>, limits: bool) -> Result<Self> {
+        let Some(drives) = drives else {
+            return Ok(self);
+        };
+        let mut left_out = Vec::new();
+        for mut solution in std::mem::take(&mut self.solutions) {
+            let motors = Motors::at(drives, solution.q())?;
+            solution.within_limits &= motors.are_reached();
+            if limits && !motors.are_reached() {
+                left_out.push(solution);
+                continue;
+            }
+            self.solutions.push(solution);
+            self.motors.push(motors);
+        }
+        // Copies by whole turns are one solution.
+        left_out.dedup_by(|a, b| a.branch == b.branch);
+        let is_gone = |one: &&Solution| self.solutions.iter().all(|copy| copy.branch != one.branch);
+        self.outside += left_out.iter().filter(is_gone).count();
+        Ok(self)
     }
 
     pub(super) fn is_reached(&self) -> bool {
@@ -82,14 +111,18 @@ impl Answer {
     /// The fields of the contract.
     pub(super) fn fields(&self, chain: &Chain, deg: bool) -> Map<String, Value> {
         let shown = |q: &[f64]| Value::from(in_units(chain, q, deg));
-        let solution = |s: &Solution| {
-            json!({
+        let solution = |(index, s): (usize, &Solution)| {
+            let mut out = json!({
                 "q": shown(s.q()),
                 "residual": s.residual,
                 "branch": s.branch.to_string(),
                 "multiplicity": s.multiplicity,
                 "within_limits": s.within_limits,
-            })
+            });
+            if let (Some(motors), Some(out)) = (self.motors.get(index), out.as_object_mut()) {
+                out.extend(motors.fields(deg));
+            }
+            out
         };
         let family = |family: &Members| {
             let samples: Vec<Value> = family.samples.iter().map(|q| shown(q)).collect();
@@ -112,7 +145,7 @@ impl Answer {
         fields.insert("status".to_owned(), self.status.name().into());
         fields.insert(
             "solutions".to_owned(),
-            self.solutions.iter().map(solution).collect(),
+            self.solutions.iter().enumerate().map(solution).collect(),
         );
         fields.insert(
             "families".to_owned(),
@@ -153,6 +186,16 @@ impl Answer {
         if !self.solutions.is_empty() {
             let _ = writeln!(out, "\nsolutions ({unit}, metres)");
             out.push_str(&self.solution_table(chain, deg));
+        }
+        if !self.motors.is_empty() {
+            let _ = writeln!(out, "\nmotors ({unit}, metres), a row for each solution");
+            let rows = self.motors.iter().map(|motors| motors.cells(deg).collect());
+            out.push_str(&text::table(&rows.collect::<Vec<_>>()));
+            for (index, motors) in self.motors.iter().enumerate() {
+                if let Some(reason) = &motors.reason {
+                    let _ = writeln!(out, "  solution {}: {reason}", index + 1);
+                }
+            }
         }
         if self.outside > 0 {
             let _ = writeln!(out, "\n{} more lie outside the limits", self.outside);

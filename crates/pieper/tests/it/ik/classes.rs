@@ -65,6 +65,7 @@ const CLASSES: &[(&str, &str)] = &[
     ("kinova-gen3", "general, locked"),
     ("xarm6", "general, general"),
     ("xarm7", "general, locked"),
+    ("abb-paper", "spherical wrist, spherical"),
 ];
 
 #[test]

@@ -37,9 +37,8 @@ use recording::Recording;
 Examples:
   pieper run ar3 examples/ar3-programme.csv --out out/ar3
   pieper run puma560 examples/ar3-programme.csv --out out/puma --profile quintic --limits
-  pieper run ar3 examples/ar3-poses.csv --out out/ar3-poses          poses in, joint angles out
-  pieper run irb120 examples/irb120-wrist.csv --out out/wrist        through a straight wrist
-  pieper run irb120 examples/irb120-reach.csv --out out/reach        beyond the reach: exit code 1
+  pieper run ar3 examples/ar3-poses.csv --out out/ar3-poses
+  pieper run irb120 examples/irb120-wrist.csv --out out/wrist --start 33,-6,11,50,-41,-55 --deg
 
 MOTION is a table of comma-separated values with a header: the time t in seconds, then the joints as q1, q2, ... \
 or by their names (radians and metres; q1_deg for degrees, q3_mm for millimetres), or the tool's pose as \
@@ -48,7 +47,8 @@ reference positions; without it every row is one, or the first and the last of m
 
 Between rows of joints the joints go straight. Between rows of poses or points the tool goes straight: every branch of \
 the inverse kinematics is followed without jumps, and the best that lives from the first row to the last is run; \
-certificate.txt says what became of each. If none does, the exit code is 1, and the nearest alternative is shown.")]
+certificate.txt says what became of each. If none does, the exit code is 1, and the nearest alternative is shown: \
+examples/irb120-reach.csv is such a path.")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     source: Source,

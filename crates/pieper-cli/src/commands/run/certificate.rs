@@ -22,6 +22,9 @@ pub(super) const FIGURE: &str = "branches";
 /// More branches than these are not listed in the report; the files have them all.
 const MOST_LISTED: usize = 64;
 
+/// More parts of a path without joint values than these are only counted.
+const MOST_GAPS: usize = 8;
+
 /// A path with the words that go with it.
 pub(super) struct Certificate<'a> {
     pub(super) robot: &'a str,
@@ -58,7 +61,13 @@ impl Certificate<'_> {
                 "No continuous motion of the joints follows the whole path from t = {from} to t = {to}."
             )];
             out.extend(self.latest());
-            out.extend(tracks.gaps.iter().map(|gap| self.gap(gap)));
+            out.extend(tracks.gaps.iter().take(MOST_GAPS).map(|gap| self.gap(gap)));
+            if tracks.gaps.len() > MOST_GAPS {
+                out.push(format!(
+                    "There are {} more such parts: {JSON} has them all.",
+                    tracks.gaps.len() - MOST_GAPS
+                ));
+            }
             return out;
         };
         let mut out = format!(
@@ -88,7 +97,8 @@ impl Certificate<'_> {
     fn latest(&self) -> Option<String> {
         let tracks = &self.path.tracks.tracks;
         let [start, _] = self.span();
-        let alive = (0..tracks.len()).filter(|&k| tracks[k].from() <= start);
+        let alive =
+            (0..tracks.len()).filter(|&k| tracks[k].from() <= start && tracks[k].to() > start);
         let last = alive.max_by(|&a, &b| tracks[a].to().total_cmp(&tracks[b].to()))?;
         let End::Dies { time, event } = &tracks[last].end else {
             return None;

@@ -3,7 +3,7 @@
 use pieper::describe::{MotionTable, MotionValues};
 use pieper::ik::Solver;
 use pieper::model::Chain;
-use pieper::motion::{Law, PoseLaw, Profile, TrackOptions, Tracks, track};
+use pieper::motion::{Law, Leg, PoseLaw, Profile, TrackOptions, Tracks, track};
 
 use super::progress::Progress;
 use crate::error::Failure;
@@ -160,21 +160,21 @@ const AT_LIMIT: f64 = 1e-8;
 /// Turning on the spot and changing branches is done at this part of the joints' largest rates.
 const UNHURRIED: f64 = 0.5;
 
-/// The motion along the legs of a path, up to the first gap. The path waits where joints turn on the spot and where
-/// one leg changes to the next.
+/// The longest motion along legs of a path without a gap between them. The path waits where joints turn on the spot and
+/// where one leg changes to the next.
 fn execute(chain: &Chain, path: &mut Path) -> Result<Option<Law>, Failure> {
     let (mut times, mut rows): (Vec<f64>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
     let mut delay = 0.0;
-    let mut covered: Option<[f64; 2]> = None;
-    let gaps = path.tracks.gaps.clone();
-    for leg in &path.tracks.legs {
-        if covered.is_some()
-            && gaps
-                .iter()
-                .any(|gap| gap.to <= leg.from && gap.to > gap.from)
-        {
-            break;
-        }
+    let gaps = &path.tracks.gaps;
+    let is_broken = |a: &Leg, b: &Leg| gaps.iter().any(|gap| a.to <= gap.from && gap.to <= b.from);
+    let stretches = path.tracks.legs.chunk_by(|a, b| !is_broken(a, b));
+    let span = |legs: &[Leg]| legs[legs.len() - 1].to - legs[0].from;
+    // Of equal ones the first.
+    let longest = stretches.reduce(|a, b| if span(b) > span(a) { b } else { a });
+    let Some(legs) = longest else {
+        return Ok(None);
+    };
+    for leg in legs {
         let (moments, values) = path.tracks.tracks[leg.track].part(leg.from, leg.to);
         for (time, mut row) in moments.into_iter().zip(values) {
             into_limits(chain, &mut row);
@@ -191,13 +191,9 @@ fn execute(chain: &Chain, path: &mut Path) -> Result<Option<Law>, Failure> {
             times.push(time + delay);
             rows.push(row);
         }
-        covered = Some([covered.map_or(leg.from, |covered| covered[0]), leg.to]);
     }
-    path.covered = covered;
-    match rows.is_empty() {
-        true => Ok(None),
-        false => Ok(Some(Law::new(times, rows, Profile::Linear)?)),
-    }
+    path.covered = Some([legs[0].from, legs[legs.len() - 1].to]);
+    Ok(Some(Law::new(times, rows, Profile::Linear)?))
 }
 
 fn into_limits(chain: &Chain, row: &mut [f64]) {

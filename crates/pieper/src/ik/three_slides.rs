@@ -65,7 +65,7 @@ pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn 
 impl Prepared for ThreeSlides {
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
         let rotation = self.before.transpose() * target.rotation.matrix() * self.behind.transpose();
-        let turns = self.ball.solve(&rotation, 0.0);
+        let turns = self.ball.solve(&rotation, 0.0, sink.method());
         if let Some(shortfall) = turns.shortfall {
             sink.fail(shortfall.part, shortfall.amount);
         }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::angle::wrap;
+use super::angle::{is_periodic, wrap};
 use super::solutions::JointVector;
 use crate::error::{Error, Result};
 use crate::kinematics;
@@ -29,6 +29,7 @@ pub struct Arm {
     /// The length that counts as much as a radian; the extent, unless positions weigh more.
     scale: f64,
     plain: bool,
+    periodic: [bool; MAX_JOINTS],
 }
 
 impl Arm {
@@ -66,6 +67,7 @@ impl Arm {
         let extent = whole.max(size) + canonical.base.translation.vector.norm();
         Ok(Self {
             plain,
+            periodic: std::array::from_fn(|j| j < chain.dof() && is_periodic(chain, j)),
             size,
             extent,
             scale: extent,
@@ -153,11 +155,17 @@ impl Arm {
 
     /// Wraps the angles of a joint vector.
     pub(super) fn wrap(&self, q: &mut JointVector) {
-        for (value, variable) in q.iter_mut().zip(self.chain.variables()) {
-            if variable.kind.is_angular() {
+        let dof = self.chain.dof();
+        for (value, &periodic) in q[..dof].iter_mut().zip(&self.periodic) {
+            if periodic {
                 *value = wrap(*value);
             }
         }
+    }
+
+    /// Whether a whole turn of a variable changes nothing.
+    pub(super) fn is_periodic(&self, variable: usize) -> bool {
+        self.periodic[variable]
     }
 
     /// The pose at `q`.

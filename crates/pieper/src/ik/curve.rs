@@ -23,9 +23,9 @@ const MOST_STRIDES: usize = 200;
 /// The difference `b - a`, angles modulo whole turns, lengths in extents.
 pub(super) fn difference(arm: &Arm, a: &JointVector, b: &JointVector) -> JointVector {
     let mut out = [0.0; MAX_JOINTS];
-    for (j, variable) in arm.chain().variables().iter().enumerate() {
+    for j in 0..arm.chain().dof() {
         let step = b[j] - a[j];
-        out[j] = if variable.kind.is_angular() {
+        out[j] = if arm.is_periodic(j) {
             wrap(step)
         } else {
             step / arm.unit(j)

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 
 use super::TOLERANCES;
+use super::angle::is_periodic;
 use super::arm::Arm;
 use super::curve;
 use super::solutions::{JointVector, Solution, Solutions};
-use crate::model::{Chain, Variable};
+use crate::model::Chain;
 
 /// Whether every value lies within its joint's limits.
 #[inline]
@@ -21,29 +22,26 @@ pub(super) fn within(chain: &Chain, q: &JointVector) -> bool {
 
 /// Whether every value, or a copy of it by whole turns, lies within its joint's limits.
 pub(super) fn fits(chain: &Chain, q: &JointVector) -> bool {
-    let joints = chain.variables().iter().zip(q);
-    joints
-        .into_iter()
-        .all(|(variable, &value)| copy_within(variable, value).is_some())
+    (0..chain.dof()).all(|j| copy_within(chain, j, q[j]).is_some())
 }
 
 /// Replaces every value by the copy closest to it that lies within its joint's limits, where there is one.
 pub(super) fn bring(chain: &Chain, q: &mut JointVector) {
-    for (variable, value) in chain.variables().iter().zip(q) {
-        *value = copy_within(variable, *value).unwrap_or(*value);
+    for (j, value) in q.iter_mut().enumerate().take(chain.dof()) {
+        *value = copy_within(chain, j, *value).unwrap_or(*value);
     }
 }
 
 /// The copy by whole turns closest to a value that lies within the limits.
-fn copy_within(variable: &Variable, value: f64) -> Option<f64> {
-    let Some(limits) = variable.limits else {
+fn copy_within(chain: &Chain, variable: usize, value: f64) -> Option<f64> {
+    let Some(limits) = chain.variables()[variable].limits else {
         return Some(value);
     };
     let (lower, upper) = (
         limits.lower() - TOLERANCES.limit,
         limits.upper() + TOLERANCES.limit,
     );
-    let turns = match variable.kind.is_angular() {
+    let turns = match is_periodic(chain, variable) {
         true if value < lower => ((lower - value) / TAU).ceil(),
         true if value > upper => -((value - upper) / TAU).ceil(),
         _ => 0.0,
@@ -70,8 +68,8 @@ fn copies(chain: &Chain, solution: &Solution) -> Vec<Solution> {
         within_limits: true,
         ..*solution
     }];
-    for (j, variable) in chain.variables().iter().enumerate() {
-        let values = values_within(variable, solution.q[j]);
+    for j in 0..chain.dof() {
+        let values = values_within(chain, j, solution.q[j]);
         let vary = |copy: &Solution| -> Vec<Solution> {
             let with = |&value: &f64| {
                 let mut copy = *copy;
@@ -86,15 +84,15 @@ fn copies(chain: &Chain, solution: &Solution) -> Vec<Solution> {
 }
 
 /// A value and its copies by whole turns that lie within the limits, the smallest change first.
-fn values_within(variable: &Variable, value: f64) -> Vec<f64> {
-    let Some(limits) = variable.limits else {
+fn values_within(chain: &Chain, variable: usize, value: f64) -> Vec<f64> {
+    let Some(limits) = chain.variables()[variable].limits else {
         return vec![value];
     };
     let (lower, upper) = (
         limits.lower() - TOLERANCES.limit,
         limits.upper() + TOLERANCES.limit,
     );
-    if !variable.kind.is_angular() {
+    if !is_periodic(chain, variable) {
         return Vec::from_iter((lower <= value && value <= upper).then_some(value));
     }
     let first = ((lower - value) / TAU).ceil();

@@ -224,9 +224,14 @@ impl Locked {
         let [lower, upper] = self.range;
         let place = |value: f64| (value - lower) / (upper - lower) * SLICES as f64 - 0.5;
         let ends = [begin - BEYOND * width, begin + (1.0 + BEYOND) * width].map(place);
+        let most = (2 * SLICES) as f64;
+        if !(ends[0].abs() < most && ends[1].abs() < most) {
+            // A range of no length, or a joint far outside it.
+            return;
+        }
         let first = ends[0].min(ends[1]).ceil() as i64;
         let last = ends[0].max(ends[1]).floor() as i64;
-        for index in first..=last.min(first + SLICES as i64) {
+        for index in first..=last {
             let turns = index.div_euclid(SLICES as i64);
             if turns != 0 && !self.turns {
                 continue;

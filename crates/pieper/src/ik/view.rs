@@ -195,7 +195,7 @@ impl View {
         let known = out.list[..out.len].iter().any(|known| {
             let gap = |(j, (a, b)): (usize, (&f64, &f64))| {
                 let step = a - b;
-                match self.chain.variables()[j].kind.is_angular() {
+                match super::angle::is_periodic(&self.chain, j) {
                     true => super::angle::wrap(step).abs(),
                     false => step.abs(),
                 }

@@ -104,3 +104,48 @@ fn whatever_is_answered_verifies() {
     // Debug builds and busy machines included.
     assert!(slowest < Duration::from_secs(20), "{slowest:?}");
 }
+
+/// A slide that follows a joint that turns: a whole turn of that joint is no way to wrap its value.
+#[test]
+fn a_slide_that_follows_a_turn_keeps_its_value() {
+    use pieper::model::{Chain, ChainParts, Drive, Joint, JointKind, Motion, Variable};
+    use pieper::spatial::Pose;
+    let joint = |name: &str, motion| Joint {
+        name: name.to_owned(),
+        link: name.to_owned(),
+        before: Pose::identity(),
+        motion,
+        after: pieper::spatial::shift(nalgebra::Vector3::new(0.3, 0.0, 0.0)),
+    };
+    let drive = Drive {
+        variable: 0,
+        factor: 1.0,
+        offset: 0.0,
+    };
+    let chain = Chain::new(ChainParts {
+        variables: vec![Variable::new("q1", JointKind::Revolute)],
+        joints: vec![
+            joint("turn", Motion::turn_z(drive)),
+            joint(
+                "lift",
+                Motion::slide_z(Drive {
+                    factor: 0.5,
+                    ..drive
+                }),
+            ),
+        ],
+        base: Pose::identity(),
+        tool: Pose::identity(),
+    })
+    .unwrap();
+    let solver = Solver::new(&chain).unwrap();
+    for q in [-3.0, 0.4, 3.1, 3.5] {
+        let pose = tool_pose(&chain, &[q]).unwrap();
+        let found = solver.solve(&pose).unwrap();
+        assert_eq!(found.len(), 1, "{q} {:?}", found.reason());
+        assert!(
+            (found.as_slice()[0].q()[0] - q).abs() < 1e-9,
+            "{q} {found:?}"
+        );
+    }
+}

@@ -43,7 +43,9 @@ fn check(
             }
             regular += 1;
             let pose = tool_pose(solver.chain(), &q).unwrap();
-            solver.solve_into(&pose, &mut found).unwrap();
+            let count =
+                crate::hot_calls::allocations(|| solver.solve_into(&pose, &mut found).unwrap());
+            assert_eq!(count, 0, "{what} {joints} arm {arm}");
             let text = format!(
                 "{what} {joints} arm {arm} {} {q:?} sigma {sigma:e}",
                 solver.choice().name

@@ -4,7 +4,7 @@ use super::contains;
 use super::random_arms::{Row, row, solver as random_solver};
 use crate::support::random_joints;
 use nalgebra::Vector3;
-use pieper::ik::{Goal, Question, Solver, Status};
+use pieper::ik::{Goal, Question, Solutions, Solver, Status};
 use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::model::Chain;
 use pieper::spatial::shift;
@@ -163,7 +163,9 @@ d = 0.1";
     assert!(contains(&solver, &q, &solver.solve(&pose).unwrap(), 1e-9));
 
     let far = shift(Vector3::new(0.0, 0.0, 1.25)) * pose;
-    let found = solver.solve(&far).unwrap();
+    let mut found = Solutions::default();
+    let count = crate::hot_calls::allocations(|| solver.solve_into(&far, &mut found).unwrap());
+    assert_eq!(count, 0, "measuring a miss allocates nothing");
     let reason = found.reason().unwrap().to_string();
     assert!(
         reason.starts_with("the tool's point comes no closer than "),

@@ -15,5 +15,12 @@ fuzz_target!(|text: &str| {
     if let Ok(chain) = robot.chain() {
         let q = vec![0.3; chain.dof()];
         let _ = pieper::kinematics::tool_pose(&chain, &q);
+        let Ok(transmission) = robot.transmission() else { return };
+        let (mut motors, mut back) = (q.clone(), q.clone());
+        if let Ok(Ok(())) = transmission.motors(&q, &mut motors) {
+            let _ = transmission.joints(&motors, &mut back);
+        }
+        let _ = transmission.ratios(&q, &mut pieper::transmission::Ratios::zeros(q.len()));
+        let _ = (0..q.len()).map(|joint| transmission.range(joint, &q)).collect::<Vec<_>>();
     }
 });

@@ -103,4 +103,5 @@ built_in! {
     "kinova-gen3"
     "xarm6"
     "xarm7"
+    "abb-paper"
 }

@@ -28,6 +28,7 @@ pub(crate) fn workspace() -> bool {
             "--examples",
         ]
     };
+    octave();
     cargo("format", &["fmt", "--all", "--check"])
         && cargo(
             "lints",
@@ -60,6 +61,30 @@ fn documentation() -> bool {
     let mut command = Command::new("cargo");
     command.args(arguments).env("RUSTDOCFLAGS", "-D warnings");
     run("documentation", command)
+}
+
+/// Octave, which runs the generated MATLAB code: installed where Debian's packages are at hand. Without it that test is
+/// left out with a word about it.
+fn octave() {
+    let found = |program: &str| {
+        let mut command = Command::new(program);
+        command
+            .arg("--version")
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    let in_integration = std::env::var_os("CI").is_some();
+    if !in_integration || found("octave-cli") || !found("apt-get") {
+        return;
+    }
+    let mut update = Command::new("apt-get");
+    update.args(["update", "-qq"]);
+    let mut install = Command::new("apt-get");
+    install
+        .args(["install", "-y", "-qq", "--no-install-recommends", "octave"])
+        .env("DEBIAN_FRONTEND", "noninteractive");
+    let _ = run("package lists", update) && run("Octave", install);
 }
 
 fn has_nextest() -> bool {

@@ -7,6 +7,7 @@ mod derive;
 mod fk;
 mod ik;
 mod info;
+mod motors;
 mod robots;
 mod run;
 

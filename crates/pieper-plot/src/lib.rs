@@ -38,6 +38,7 @@ mod ticks;
 mod view;
 
 mod arm_views;
+mod branch_chart;
 mod path_views;
 mod sphere;
 mod time_chart;
@@ -45,6 +46,7 @@ mod time_chart;
 mod report;
 
 pub use arm_views::{Arm, ArmJoint, ArmViews, JointKind, ToolFrame, arm_views};
+pub use branch_chart::{BranchChart, BranchLine, branch_chart};
 pub use error::{Error, Result};
 pub use figure::{Figure, Theme};
 pub use path_views::{PathMark, PathViews, Space, path_views};

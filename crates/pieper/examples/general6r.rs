@@ -1,8 +1,9 @@
 //! Measures the general 6R solver: misses and times on random arms, structured arms and named ones.
 //!
-//! `cargo run --release -p pieper --example general6r -- [general|structured|named|singular|outside] [arms] [poses per arm] [seed]`
+//! `cargo run --release -p pieper --example general6r -- [general|structured|named|singular|angles|slides|structured-slides|outside] [arms] [poses per arm] [seed]`
 //!
 //! A miss is a target whose generating joint values are not among the solutions (within 1e-6 rad).
+//! `angles` measures the whole solver on built-in arms without a closed form, by a hair beside right angles.
 //! Times are of single calls, or the best of five with `named`.
 
 // A measuring program: it prints, and it stops where it must not go on.
@@ -13,6 +14,8 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use pieper::ik::general::{Completeness, General, Roots};
+use pieper::ik::{Solutions, Solver};
+use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::spatial::{self, Pose};
 
 /// A standard Denavit-Hartenberg row: d, a, alpha.
@@ -357,6 +360,170 @@ fn outside(arms: usize, poses: usize, random: &mut fastrand::Rng) {
     );
 }
 
+fn forward_with_slides(links: &[Pose; 6], slides: &[bool; 6], q: &[f64; 6]) -> Pose {
+    (0..6).fold(Pose::identity(), |pose, j| {
+        let moved = if slides[j] {
+            spatial::shift(Vector3::new(0.0, 0.0, q[j]))
+        } else {
+            spatial::turn(&Vector3::z_axis(), q[j].sin_cos())
+        };
+        pose * moved * links[j]
+    })
+}
+
+/// Random arms with one or two sliding joints in every position; a slide moves by up to a metre.
+fn sliding(arms: usize, poses: usize, structured: bool, random: &mut fastrand::Rng) {
+    for mask in 1..63_u32 {
+        let slides: [bool; 6] = std::array::from_fn(|j| mask >> j & 1 == 1);
+        if mask.count_ones() > 2 {
+            continue;
+        }
+        let kinds: String = slides
+            .iter()
+            .map(|&slides| if slides { 'P' } else { 'R' })
+            .collect();
+        let travel = slides.map(|slides| slides.then_some(1.0));
+        let (mut done, mut refused, mut misses, mut most, mut total) = (0, 0, 0, 0, 0);
+        let (mut odd, mut agreed, mut singular, mut times) = (0, 0, 0, Vec::new());
+        while done < arms && refused < 20 * arms {
+            let links = random_arm(random, structured);
+            let Ok(general) = General::prepare_with_slides(&links, &travel) else {
+                refused += 1;
+                continue;
+            };
+            done += 1;
+            for _ in 0..poses {
+                let mut q = angles(random);
+                for j in 0..6 {
+                    if slides[j] {
+                        q[j] = 2.0 * random.f64() - 1.0;
+                    }
+                }
+                let target = forward_with_slides(&links, &slides, &q);
+                let mut roots = Roots::default();
+                let start = Instant::now();
+                let completeness = general.solve(&target, &mut roots);
+                times.push(start.elapsed().as_nanos() as f64 / 1e3);
+                most = most.max(roots.len());
+                total += roots.len();
+                odd += roots.len() % 2;
+                agreed += usize::from(matches!(completeness, Completeness::Agreed { .. }));
+                singular += usize::from(matches!(completeness, Completeness::Singular { .. }));
+                let mut nearest = f64::INFINITY;
+                for root in roots.iter() {
+                    let off = forward_with_slides(&links, &slides, &root.q).to_homogeneous()
+                        - target.to_homogeneous();
+                    assert!(off.amax() < 1e-8, "a wrong solution: {kinds} {root:?}");
+                    let apart = (0..6).fold(0.0_f64, |most, j| {
+                        let d = (root.q[j] - q[j]).abs();
+                        most.max(if slides[j] { d } else { d.min(2.0 * PI - d) })
+                    });
+                    nearest = nearest.min(apart);
+                }
+                if nearest > 1e-6 {
+                    misses += 1;
+                    if misses < 4 {
+                        println!(
+                            "  miss: {kinds} arm {done} {q:?} nearest {nearest:.1e} found {} {completeness:?}",
+                            roots.len()
+                        );
+                    }
+                }
+            }
+        }
+        times.sort_by(f64::total_cmp);
+        let at = |share: f64| {
+            times
+                .get((share * times.len().saturating_sub(1) as f64) as usize)
+                .copied()
+                .unwrap_or(f64::NAN)
+        };
+        println!(
+            "{kinds} targets {} misses {misses} odd {odd} agreed {agreed} singular {singular} most roots {most} mean {:.2} refused {refused} us median {:.1} 99% {:.1} worst {:.1}",
+            times.len(),
+            total as f64 / times.len().max(1) as f64,
+            at(0.5),
+            at(0.99),
+            at(1.0)
+        );
+    }
+}
+
+/// Built-in arms without a closed form, whole solver: every joint at a multiple of 45 degrees or anywhere, one of them by
+/// 1e-3 ... 1e-12 beside such a multiple.
+fn near_right_angles(poses: usize, random: &mut fastrand::Rng) {
+    for built_in in pieper_robots::ALL {
+        let Ok(chain) = built_in.robot().chain() else {
+            continue;
+        };
+        let solver = Solver::new(&chain).unwrap();
+        if solver.choice().name != "general" || (chain.dof() != 6) {
+            continue;
+        }
+        let (mut targets, mut missed, mut unsolved, mut times) = (0, 0, 0, Vec::new());
+        let mut found = Solutions::default();
+        for _ in 0..poses {
+            let regular = random.bool();
+            let mut q: Vec<f64> = (0..6)
+                .map(|_| {
+                    if regular || random.bool() {
+                        PI * (2.0 * random.f64() - 1.0)
+                    } else {
+                        FRAC_PI_4 * random.i32(-3..=4) as f64
+                    }
+                })
+                .collect();
+            let joint = random.usize(0..6);
+            let at = FRAC_PI_2 * random.i32(-1..=2) as f64;
+            for distance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10, 1e-12] {
+                q[joint] = at - distance;
+                let pose = tool_pose(&chain, &q).unwrap();
+                let start = Instant::now();
+                solver.solve_into(&pose, &mut found).unwrap();
+                times.push(start.elapsed().as_nanos() as f64 / 1e3);
+                targets += 1;
+                let mut jacobian = Jacobian::zeros(6);
+                pose_and_jacobian(&chain, &q, Reference::Base, &mut jacobian).unwrap();
+                let sigma = jacobian.singular_values().min();
+                let off = |other: &[f64]| {
+                    other.iter().zip(&q).fold(0.0_f64, |most, (a, b)| {
+                        let d = (a - b).rem_euclid(2.0 * PI);
+                        most.max(d.min(2.0 * PI - d))
+                    })
+                };
+                let mut nearest = found.iter().map(|s| off(s.q())).fold(9.0, f64::min);
+                for family in found.families() {
+                    if let Ok(member) = solver.nearest_member(family, &q) {
+                        nearest = nearest.min(off(&member));
+                    }
+                }
+                unsolved += usize::from(found.iter().count() + found.families().len() == 0);
+                // At a double root rounding moves the joints by the root of it.
+                let allowed = (1e-13 / sigma).clamp(1e-9, 1e-6);
+                if nearest > allowed {
+                    missed += 1;
+                    println!(
+                        "  miss: {} {q:?} at {distance:e} sigma {sigma:.1e} nearest {nearest:.1e} found {} families {}",
+                        built_in.id,
+                        found.len(),
+                        found.families().len()
+                    );
+                }
+            }
+        }
+        times.sort_by(f64::total_cmp);
+        let at = |share: f64| times[(share * (times.len() - 1) as f64) as usize];
+        println!(
+            "{:16} targets {targets} misses {missed} unsolved {unsolved} us median {:.1} 90% {:.1} 99% {:.1} worst {:.1}",
+            built_in.id,
+            at(0.5),
+            at(0.9),
+            at(0.99),
+            at(1.0)
+        );
+    }
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let number = |index: usize, otherwise: usize| {
@@ -382,6 +549,14 @@ fn main() {
     }
     if what == "singular" {
         sweep(arms, &mut random);
+        return;
+    }
+    if what == "angles" {
+        near_right_angles(poses, &mut random);
+        return;
+    }
+    if what == "slides" || what == "structured-slides" {
+        sliding(arms, poses, what == "structured-slides", &mut random);
         return;
     }
     if what == "outside" {

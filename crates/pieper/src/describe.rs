@@ -3,6 +3,7 @@
 //! Only this module knows file formats. It reads text it is handed; files come through the caller.
 
 pub mod dh;
+pub mod drives;
 pub mod expr;
 mod motion_table;
 pub mod robot;

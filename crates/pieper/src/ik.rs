@@ -5,6 +5,9 @@
 //! on the true model, refined there by Newton's method where the arm misses its class by a hair, merged where roots
 //! coincide and, where roots form a curve, followed along it; a row itself only proposes.
 //!
+//! A [`Question`] asks for a part of a pose ([`Goal`]) or holds joints; the answer to both is another chain, solved by the same
+//! rows. [`Search`] is the numeric way: one solution from one start, for any chain.
+//!
 //! ```
 //! use pieper::describe::Robot;
 //! use pieper::{ik, kinematics};
@@ -25,8 +28,13 @@ mod curve;
 mod dense;
 mod descent;
 mod elimination;
+mod extend;
+mod family;
+mod fewer;
 pub mod general;
+mod goal;
 mod limits;
+mod locked;
 mod nearest;
 mod normal;
 mod numeric;
@@ -37,18 +45,24 @@ mod polynomial;
 mod position;
 mod reason;
 pub mod registry;
+mod search;
 mod sink;
 mod slides;
 mod solutions;
 mod solver;
 mod spherical;
 mod swivel;
+mod three_slides;
 mod tolerances;
+mod view;
 mod wrist;
 
 pub use arm::{Arm, MAX_JOINTS};
+pub use family::Range;
+pub use goal::{Goal, Question};
 pub use limits::{Ranking, rank, windings};
 pub use reason::{Part, Shortfall};
+pub use search::{Found, Options, Search};
 pub use sink::{Marks, Sink};
 pub use solutions::{
     Branch, Elbow, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Nearest, Shoulder, Solution,

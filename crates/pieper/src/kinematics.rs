@@ -6,20 +6,23 @@
 pub mod batch;
 mod directions;
 mod forward;
+pub(crate) mod group;
 mod hessian;
 mod jacobian;
 pub mod kernel;
-mod lanes;
+pub(crate) mod lanes;
 mod measures;
 mod orientation;
 mod quaternion;
 mod reach;
 mod single;
 mod statics;
+mod tile;
 
 pub use directions::{AxisDirections, Directions};
 pub use forward::{link_poses, tool_pose};
 pub use hessian::hessian;
+pub(crate) use jacobian::pose_and_columns;
 pub use jacobian::{Jacobian, Reference, pose_and_jacobian};
 pub use measures::{Measures, Singularity, measures};
 pub use orientation::{Orientation, analytic_jacobian};

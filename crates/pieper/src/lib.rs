@@ -15,6 +15,8 @@ pub mod spatial;
 
 pub mod model;
 
+pub mod transmission;
+
 pub mod describe;
 
 pub mod kinematics;

@@ -56,8 +56,11 @@ impl Arguments {
             }
         };
         // Numbers have taken the place of the parameters.
+        let values = robot.values()?;
+        let motors = robot.motors.iter().map(|motor| motor.in_numbers(&values));
         let converted = Robot {
             form,
+            motors: motors.collect::<pieper::Result<_>>()?,
             parameters: Vec::new(),
             golden: Vec::new(),
             ..robot

@@ -1,5 +1,7 @@
 //! `pieper info`
 
+mod transmission;
+
 use std::fmt::Write as _;
 
 use clap::Args;
@@ -75,6 +77,9 @@ fn document(robot: &Robot, chain: Option<&Chain>) -> Result<Value, Failure> {
         "at": reach.farthest,
     });
     document["family"] = super::ik::family_document(chain);
+    if let Some(drives) = super::motors::of(robot)? {
+        document["transmission"] = transmission::document(&drives)?;
+    }
     Ok(document)
 }
 
@@ -131,7 +136,12 @@ fn description(robot: &Robot, chain: Option<&Chain>) -> Result<String, Failure> 
         let _ = write!(out, "\nparameters\n{}", text::listing(&rows));
     }
     match chain {
-        Some(chain) => out.push_str(&chain_text(chain)?),
+        Some(chain) => {
+            out.push_str(&chain_text(chain)?);
+            if let Some(drives) = super::motors::of(robot)? {
+                out.push_str(&transmission::text(&drives)?);
+            }
+        }
         None => {
             let missing = robot.missing_parameters();
             let example: Vec<_> = missing

@@ -4,6 +4,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod fk;
+mod ik_questions;
 mod run;
+mod run_paths;
 mod support;
 mod symbolic;
+mod transmission;

@@ -17,6 +17,7 @@ fn files() -> Vec<String> {
         "matrices.tex",
         "matrices.json",
         "samples.csv",
+        "poses.csv",
         "report.html",
     ];
     figures.chain(rest.map(str::to_owned)).collect()
@@ -41,7 +42,7 @@ fn the_papers_programme_leaves_every_file() {
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
     assert!(
         ended.stdout.starts_with(
-            "Annin Robotics AR3: 6 s, 7 reference positions, 301 samples\n19 files in "
+            "Annin Robotics AR3: 6 s, 7 reference positions, 301 samples\n20 files in "
         )
     );
     assert!(ended.stdout.ends_with("report.html\n"));
@@ -184,7 +185,7 @@ fn every_kind_of_arm_runs() {
         }
         let latex = fs::read_to_string(format!("{out}/matrices.tex")).unwrap();
         if robot == "cobra600" {
-            assert!(latex.contains("(\\text{a \\& b <c> \\#1\\_\\$\\%})"));
+            assert!(latex.contains("(\\text{a \\& b \\textless{}c\\textgreater{} \\#1\\_\\$\\%})"));
             let html = fs::read_to_string(format!("{out}/report.html")).unwrap();
             assert!(html.contains("a &amp; b &lt;c&gt; #1_$%") && !html.contains("<c>"));
         }
@@ -242,12 +243,32 @@ fn bad_input_is_named() {
         &bad,
         &format!("{bad}:2:11: q5 = \"x\": a number was expected"),
     );
-    let path = folder.file("path.csv", "t,x,y,z,roll,pitch,yaw\n0,0.3,0,0.3,0,0,0\n");
+    let path = folder.file(
+        "path.csv",
+        "t,x,y,z,roll,pitch,yaw\n0,0.3,0,0.3,0,0,0\n1,0.3,0,0.3,0,0,3.141592653589793\n",
+    );
     run(
         &path,
-        &format!(
-            "{path}: a tool path needs the inverse kinematics, which `run` does not use yet; joint columns q1, q2, ... were expected"
-        ),
+        "the rows at t = 0 s and t = 1 s: the tool turns by half a turn, and either way round is as short: a row between them was expected",
+    );
+    let path = folder.file("path.csv", "t,x,y,z,roll,pitch,yaw\n0,0.3,0,0.3,0,0,0\n");
+    let wish = |flag: &[&str], expected: &str| {
+        refused(
+            &[&["run", "ar3", &path, "--out", &out][..], flag].concat(),
+            expected,
+        );
+    };
+    wish(
+        &["--tolerance", "0"],
+        "tolerance 0: a finite number above 0 was expected",
+    );
+    wish(
+        &["--start", "0,x"],
+        "--start 0,x: numbers separated by commas were expected",
+    );
+    wish(
+        &["--start", "0,1"],
+        "--start: joint values: 6 were expected (J1, J2, J3, J4, J5, J6), 2 were given",
     );
     let missing = folder.path("none.csv");
     run(

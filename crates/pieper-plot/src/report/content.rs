@@ -197,6 +197,8 @@ pub struct Table {
     caption: String,
     head: Vec<String>,
     rows: Vec<Vec<String>>,
+    /// Columns of words rather than numbers.
+    words: Vec<usize>,
 }
 
 impl Table {
@@ -209,7 +211,15 @@ impl Table {
             caption: caption.into(),
             head: head.into_iter().map(S::into).collect(),
             rows: Vec::new(),
+            words: Vec::new(),
         }
+    }
+
+    /// Makes some columns, counted from 0, columns of words: set from the left, long ones in several lines.
+    #[must_use]
+    pub fn words(mut self, columns: impl IntoIterator<Item = usize>) -> Self {
+        self.words.extend(columns);
+        self
     }
 
     /// Adds a row. Numbers keep the plain minus sign, so that cells paste into a spreadsheet; only a
@@ -251,14 +261,19 @@ impl Table {
             "<div class=\"wide\"><table class=\"data\"><caption>{}</caption>\n<thead><tr>",
             escape(caption)
         );
-        for cell in &self.head {
-            let _ = write!(out, "<th scope=\"col\">{}</th>", escape(cell));
+        let class = |column: usize| match self.words.contains(&column) {
+            true => " class=\"words\"",
+            false => "",
+        };
+        for (column, cell) in self.head.iter().enumerate() {
+            let (class, text) = (class(column), escape(cell));
+            let _ = write!(out, "<th scope=\"col\"{class}>{text}</th>");
         }
         out.push_str("</tr></thead>\n<tbody>\n");
         for row in rows {
             out.push_str("<tr>");
-            for cell in row {
-                let _ = write!(out, "<td>{}</td>", escape(cell));
+            for (column, cell) in row.iter().enumerate() {
+                let _ = write!(out, "<td{}>{}</td>", class(column), escape(cell));
             }
             out.push_str("</tr>\n");
         }

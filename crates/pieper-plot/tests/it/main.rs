@@ -6,6 +6,7 @@
 )]
 
 mod arm_views;
+mod branch_chart;
 mod path_views;
 mod report;
 mod sample;

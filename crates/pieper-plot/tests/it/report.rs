@@ -89,3 +89,15 @@ fn long_tables_are_folded_and_matrices_have_true_minus_signs() {
 fn the_same_content_gives_the_same_bytes() {
     assert_eq!(report(), report());
 }
+
+#[test]
+fn columns_of_words_are_marked_as_such() {
+    let table = Table::new("Branches", ["number", "what becomes of it"])
+        .words([1])
+        .row(["1", "ends"]);
+    let html = Report::new("Title")
+        .section(Section::new("S").table(table))
+        .to_html();
+    assert!(html.contains("<th scope=\"col\">number</th><th scope=\"col\" class=\"words\">"));
+    assert!(html.contains("<td>1</td><td class=\"words\">ends</td>"));
+}

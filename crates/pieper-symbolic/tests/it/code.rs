@@ -1,7 +1,7 @@
 //! Generated code, compiled or run, against the library: 10,000 poses with Jacobians, and every inverse solution.
 //!
-//! A language whose compiler or interpreter is not installed is left out with a word about it, except in the continuous
-//! integration, where it has to be there.
+//! A language whose compiler or interpreter is not installed is left out with a word about it; the test command installs
+//! Octave where it can.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,10 +52,6 @@ fn is_missing(program: &str) -> bool {
     let missing = !found.is_ok_and(|status| status.success());
     if missing {
         eprintln!("not run: the generated code that needs {program}, which is not installed");
-        assert!(
-            std::env::var_os("CI").is_none(),
-            "{program} has to be there in the continuous integration"
-        );
     }
     missing
 }

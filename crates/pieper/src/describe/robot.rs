@@ -1,11 +1,13 @@
 //! A described arm: its form as written, its parameters, where its numbers come from.
 
 use super::dh::DhTable;
+use super::drives::MotorExpr;
 use super::expr::{Expr, Values};
 use super::screws::ScrewTable;
 use crate::error::{Error, Result};
 use crate::model::{Chain, Tree};
 use crate::spatial::Pose;
+use crate::transmission::Transmission;
 
 /// An arm as a robot file or a URDF describes it. Symbols stay symbols until [`Robot::chain`] asks for numbers.
 ///
@@ -41,6 +43,8 @@ pub struct Robot {
     pub parameters: Vec<Parameter>,
     /// The geometry.
     pub form: Form,
+    /// The motors that do not drive the joint in their place directly.
+    pub motors: Vec<MotorExpr>,
     /// Poses computed elsewhere, to check against.
     pub golden: Vec<Golden>,
 }
@@ -225,6 +229,7 @@ impl Robot {
             datasheet: Vec::new(),
             parameters: Vec::new(),
             form: Form::Tree { tree, base, tip },
+            motors: Vec::new(),
             golden: Vec::new(),
         })
     }
@@ -248,6 +253,34 @@ impl Robot {
             Form::Dh(table) => table.chain(&self.values()?),
             Form::Screws(table) => table.chain(&self.values()?),
             Form::Tree { tree, base, tip } => tree.chain(*base, *tip),
+        }
+    }
+
+    /// The arm's transmission in numbers: from joints to motors and back. Direct where the file has none.
+    ///
+    /// # Errors
+    /// As [`Robot::chain`]; a missing-value error for a symbol of the transmission without a value; a model error for
+    /// numbers that make no motor, or motors that do not determine the joints.
+    pub fn transmission(&self) -> Result<Transmission> {
+        let chain = self.chain()?;
+        let values = self.values()?;
+        let motors = self
+            .motors
+            .iter()
+            .map(|motor| Ok((motor.place, motor.motor(&chain, &values)?)));
+        Transmission::new(&chain, motors.collect::<Result<Vec<_>>>()?)
+    }
+}
+
+impl Form {
+    /// The number of joint variables.
+    pub fn dof(&self) -> usize {
+        match self {
+            Self::Dh(table) => table.rows.len(),
+            Self::Screws(table) => table.screws.len(),
+            Self::Tree { tree, base, tip } => {
+                tree.chain(*base, *tip).map_or(0, |chain| chain.dof())
+            }
         }
     }
 }

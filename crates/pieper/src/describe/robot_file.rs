@@ -2,6 +2,7 @@
 
 mod fields;
 mod joints;
+mod transmission;
 mod tree;
 mod write;
 
@@ -46,6 +47,7 @@ impl Robot {
             "screws",
             "base",
             "tool",
+            "transmission",
             "golden",
             "urdf",
             "tip",
@@ -56,6 +58,7 @@ impl Robot {
             Some(field) => tree::form(&root, &field, resources)?,
             None => form(&root, &known)?,
         };
+        let motors = transmission::motors(&root, form.dof(), &known)?;
         let robot = Self {
             name: root.require("name", "the arm's name")?.string()?.to_owned(),
             summary: root.optional_string("summary")?,
@@ -64,6 +67,7 @@ impl Robot {
             golden: golden(&root)?,
             parameters,
             form,
+            motors,
         };
         robot.check_numbers(file)?;
         Ok(robot)
@@ -79,9 +83,11 @@ impl Robot {
             })
         };
         self.values().map_err(at_file)?;
-        match self.chain() {
-            Err(error) if !error.is_missing_value() => Err(at_file(error)),
-            _ => Ok(()),
+        let is_wrong = |error: &Error| !error.is_missing_value();
+        let wrong = self.chain().err().filter(is_wrong);
+        match wrong.or_else(|| self.transmission().err().filter(is_wrong)) {
+            Some(error) => Err(at_file(error)),
+            None => Ok(()),
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::model::Chain;
+
 /// An angle in (-pi, pi]; what differs from -pi by rounding alone is pi.
 #[inline]
 pub(super) fn wrap(angle: f64) -> f64 {
@@ -151,4 +153,12 @@ pub(super) struct LinearRoots {
     pub(super) excess: f64,
     /// The amplitude of the left-hand side.
     pub(super) length: f64,
+}
+
+/// Whether a whole turn of a variable changes nothing: all that it drives turns, by whole multiples of it.
+pub(super) fn is_periodic(chain: &Chain, variable: usize) -> bool {
+    let steps = &chain.canonical().steps;
+    let mut driven = steps.iter().filter(|step| step.drive.variable == variable);
+    chain.variables()[variable].kind.is_angular()
+        && driven.all(|step| step.turns && step.drive.factor.fract() == 0.0)
 }

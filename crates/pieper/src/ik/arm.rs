@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::angle::wrap;
+use super::angle::{is_periodic, wrap};
 use super::solutions::JointVector;
 use crate::error::{Error, Result};
 use crate::kinematics;
@@ -26,7 +26,10 @@ pub struct Arm {
     first_from_world: Pose,
     size: f64,
     extent: f64,
+    /// The length that counts as much as a radian; the extent, unless positions weigh more.
+    scale: f64,
     plain: bool,
+    periodic: [bool; MAX_JOINTS],
 }
 
 impl Arm {
@@ -61,16 +64,27 @@ impl Arm {
         let size = positive(between_axes, positive(whole, 1.0));
         let one_to_one = |step: &Step| step.drive.factor.abs() == 1.0 || !step.turns;
         let plain = chain.dof() == count && canonical.steps.iter().all(one_to_one);
+        let extent = whole.max(size) + canonical.base.translation.vector.norm();
         Ok(Self {
             plain,
+            periodic: std::array::from_fn(|j| j < chain.dof() && is_periodic(chain, j)),
             size,
-            extent: whole.max(size) + canonical.base.translation.vector.norm(),
+            extent,
+            scale: extent,
             turns: canonical.steps.iter().map(|step| step.turns).collect(),
             drives: canonical.steps.iter().map(|step| step.drive).collect(),
             first_from_world: canonical.base.inverse(),
             chain: chain.clone(),
             links,
         })
+    }
+
+    /// The same arm, in whose searches a miss of the position counts so many times more.
+    pub(super) fn weighing_position(self, times: f64) -> Self {
+        Self {
+            scale: self.scale / times,
+            ..self
+        }
     }
 
     /// The chain.
@@ -141,11 +155,17 @@ impl Arm {
 
     /// Wraps the angles of a joint vector.
     pub(super) fn wrap(&self, q: &mut JointVector) {
-        for (value, variable) in q.iter_mut().zip(self.chain.variables()) {
-            if variable.kind.is_angular() {
+        let dof = self.chain.dof();
+        for (value, &periodic) in q[..dof].iter_mut().zip(&self.periodic) {
+            if periodic {
                 *value = wrap(*value);
             }
         }
+    }
+
+    /// Whether a whole turn of a variable changes nothing.
+    pub(super) fn is_periodic(&self, variable: usize) -> bool {
+        self.periodic[variable]
     }
 
     /// The pose at `q`.
@@ -160,38 +180,26 @@ impl Arm {
     ///
     /// Lengths are divided by the arm's extent, and a sliding joint is counted in extents, so that all entries are
     /// comparable.
+    #[inline]
     pub(super) fn pose_and_columns(&self, q: &JointVector, columns: &mut Columns) -> Pose {
-        *columns = [[0.0; 6]; MAX_JOINTS];
-        let canonical = self.chain.canonical();
-        let mut frame = canonical.base;
-        let mut axes = [(Vector3::zeros(), Vector3::zeros()); MAX_JOINTS];
-        for (index, drive) in self.drives.iter().enumerate() {
-            let z = frame.rotation.matrix().column(2).into_owned();
-            axes[index] = (z, frame.translation.vector);
-            let value = drive.displacement(&q[..]);
-            if self.turns[index] {
-                let turn = crate::spatial::turn(&Vector3::z_axis(), value.sin_cos());
-                frame.rotation *= turn.rotation;
+        let dof = self.chain.dof();
+        let (q, columns) = (&q[..dof], &mut columns[..dof]);
+        let Ok(pose) = kinematics::pose_and_columns(&self.chain, q, columns) else {
+            // The joint vector has the chain's length: a value is not finite.
+            return crate::spatial::shift(Vector3::repeat(f64::NAN));
+        };
+        for (column, variable) in columns.iter_mut().zip(self.chain.variables()) {
+            let scales = if variable.kind.is_angular() {
+                [1.0 / self.scale, 1.0]
             } else {
-                frame.translation.vector += z * value;
-            }
-            frame *= self.links[index];
-        }
-        for (index, drive) in self.drives.iter().enumerate() {
-            let (z, origin) = axes[index];
-            let (linear, angular) = if self.turns[index] {
-                let lever = (frame.translation.vector - origin) / self.extent;
-                (z.cross(&lever) * drive.factor, z * drive.factor)
-            } else {
-                (z * drive.factor, Vector3::zeros())
+                [self.extent / self.scale, self.extent]
             };
-            let column = &mut columns[drive.variable];
             for i in 0..3 {
-                column[i] += linear[i];
-                column[i + 3] += angular[i];
+                column[i] *= scales[0];
+                column[i + 3] *= scales[1];
             }
         }
-        frame
+        pose
     }
 
     /// One unit of a variable as the columns count it.
@@ -205,10 +213,19 @@ impl Arm {
 
     /// What is missing from `pose` to `target`: position in extents, then the rotation vector.
     pub(super) fn missing(&self, pose: &Pose, target: &Pose) -> [f64; 6] {
-        let step = (target.translation.vector - pose.translation.vector) / self.extent;
+        let step = (target.translation.vector - pose.translation.vector) / self.scale;
         let turn = rotation_between(pose.rotation.matrix(), target.rotation.matrix());
         [step.x, step.y, step.z, turn.x, turn.y, turn.z]
     }
+}
+
+/// The angle between two orientations.
+pub(super) fn angle_between(from: &Matrix3<f64>, to: &Matrix3<f64>) -> f64 {
+    // Of the relative rotation: the length of its skew part is twice the sine, its trace one more than twice the cosine.
+    let relative = from.transpose() * to;
+    let skew = relative - relative.transpose();
+    let sine = Vector3::new(skew[(2, 1)], skew[(0, 2)], skew[(1, 0)]).norm();
+    sine.atan2(relative.trace() - 1.0)
 }
 
 /// The rotation vector, in the common outer frame, that turns `from` into `to`.

@@ -133,3 +133,33 @@ fn rotate(
     }
     (a[p][q], a[q][p]) = (0.0, 0.0);
 }
+
+/// A symmetric positive semidefinite matrix of six rows; the lower triangle counts.
+pub(super) struct Six(pub(super) [[f64; 6]; 6]);
+
+impl Six {
+    /// `x` with `(A + damping) x = right`, by Cholesky's decomposition without roots. Pivots that rounding made
+    /// smaller than the damping count as that.
+    #[inline]
+    pub(super) fn solve(mut self, damping: f64, right: [f64; 6]) -> [f64; 6] {
+        let a = &mut self.0;
+        let mut inverse = [0.0; 6];
+        let mut x = right;
+        for k in 0..6 {
+            let pivot = a[k][k] + damping;
+            inverse[k] = 1.0 / if pivot > damping { pivot } else { damping };
+            for i in k + 1..6 {
+                let factor = a[i][k] * inverse[k];
+                for j in k + 1..=i {
+                    a[i][j] -= factor * a[j][k];
+                }
+                x[i] -= factor * x[k];
+            }
+        }
+        for k in (0..6).rev() {
+            let known: f64 = (k + 1..6).map(|i| a[i][k] * x[i]).sum();
+            x[k] = (x[k] - known) * inverse[k];
+        }
+        x
+    }
+}

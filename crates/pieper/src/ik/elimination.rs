@@ -1,4 +1,4 @@
-//! Six revolute joints that no closed form takes: the elimination of [`general`](super::general) as a row.
+//! Six joints, up to two of them sliding, that no closed form takes: the elimination of [`general`](super::general) as a row.
 
 use std::sync::Arc;
 
@@ -18,15 +18,31 @@ struct Elimination(General);
 /// elimination calls such roots singular.
 const SINGULAR: f64 = 1e-7;
 
-/// Prepares an arm of six joints that turn, each by a variable of its own.
+/// Prepares an arm of six joints, each with a variable of its own, of which up to two slide.
 pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn Prepared>> {
-    let turns_freely = arm.is_independent() && arm.turns().iter().all(|&turns| turns);
-    if class != Class::General || !turns_freely {
+    if class != Class::General || !arm.is_independent() {
         return None;
     }
     let links = arm.links().try_into().ok()?;
+    let turns: [bool; 6] = arm.turns().try_into().ok()?;
+    let slides = std::array::from_fn(|joint| (!turns[joint]).then(|| travel(arm, joint)));
     // An arm that is singular everywhere is refused there; the numeric row then takes it.
-    Some(Arc::new(Elimination(General::prepare(links).ok()?)))
+    let general = General::prepare_with_slides(links, &slides).ok()?;
+    Some(Arc::new(Elimination(general)))
+}
+
+/// By how much a sliding joint moves: its range, if that is no more than the arm is long.
+fn travel(arm: &Arm, joint: usize) -> f64 {
+    let drive = arm.drives()[joint];
+    let limits = arm.chain().variables()[drive.variable].limits;
+    let range = limits.map_or(f64::INFINITY, |limits| {
+        (limits.upper() - limits.lower()) * drive.factor.abs()
+    });
+    if range > 0.0 {
+        range.min(arm.size())
+    } else {
+        arm.size()
+    }
 }
 
 impl Prepared for Elimination {

@@ -6,13 +6,16 @@
 //! improved by Newton's method on the true arm (`newton`). Every step runs on several samples or roots at once.
 //! A single elimination loses about one root in a thousand to rounding, in clusters of roots; two with different
 //! kept joints are run, and more until they agree (`agreement`). Structured arms (parallel or meeting axes) make the
-//! resultant vanish identically; their linear part is perturbed, the arm itself is not (`random`). Which
-//! eliminations are used, and in which order, is decided per arm by solving test poses (`trial`).
+//! resultant vanish identically; their linear part is perturbed, the arm itself is not (`random`). Every elimination
+//! measures its own noise, by the harmonics that the polynomial should not have, and says whether roots may have drowned
+//! in it; then, and where eliminations differ, the resultant is computed with twice the digits (`number`). Roots that share
+//! the kept angle, as mirrored ones of symmetric arms do, are separated where the resultant's matrix has rank 1
+//! (`resultant`). Which eliminations are used, and in which order, is decided per arm by solving test poses (`trial`).
 //!
 //! Sources: M. Raghavan, B. Roth, J. Mech. Design 115, 1993 (the equations and the 12 x 12 resultant); D. Manocha,
 //! J. Canny, IEEE Trans. Robotics and Automation 10(5), 1994 (numeric elimination). The reduction to 3 x 3, the root
-//! isolation, the perturbation of the elimination alone and the agreement rule were worked out and measured for this
-//! project.
+//! isolation, the perturbation of the elimination alone, the measure of its noise and the agreement rule were worked out and
+//! measured for this project.
 
 mod agreement;
 mod back;
@@ -22,6 +25,8 @@ mod isolate;
 mod lanes;
 mod line;
 mod newton;
+mod number;
+mod orientation;
 mod polynomial;
 mod pool;
 mod random;
@@ -33,6 +38,7 @@ mod single;
 mod tables;
 mod tolerances;
 mod trial;
+mod way;
 
 use pulp::{Arch, Simd, WithSimd};
 
@@ -41,7 +47,7 @@ use crate::spatial::{self, Pose};
 use lanes::Rigid;
 use nalgebra::Vector3;
 use newton::Goal;
-use single::{Elimination, Target};
+use single::Target;
 use tables::Tables;
 
 pub use pool::MAX_ROOTS;
@@ -52,7 +58,7 @@ pub struct General {
     arm: Scaled,
     tables: Box<Tables>,
     /// In the order in which they are run.
-    eliminations: Vec<Elimination>,
+    eliminations: Vec<way::Way>,
     /// How many are run at least.
     least: usize,
 }
@@ -61,6 +67,8 @@ pub struct General {
 #[derive(Clone, Debug)]
 struct Scaled {
     links: [Rigid; 5],
+    /// Which joints slide.
+    slides: [bool; 6],
     poses: [Pose; 5],
     /// Shift along the first axis, metres.
     rise: f64,
@@ -75,7 +83,7 @@ struct Scaled {
 /// One solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Root {
-    /// Joint angles, in (-pi, pi].
+    /// Joint angles, in (-pi, pi]; metres of a joint that slides.
     pub q: [f64; 6],
     /// Error of the pose after Newton: metres and radians, as one norm.
     pub residual: f64,
@@ -108,8 +116,8 @@ impl std::ops::Deref for Roots {
 /// How sure it is that all solutions were found, and how that was established.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
-    /// So many eliminations were run, the last of them found exactly the set of the others (or the last three found nothing
-    /// new, and every root was found twice), an even number of regular roots. Not a proof; see the measured rates.
+    /// So many eliminations were run; at least two found the whole set, an even number of regular roots, one of them with
+    /// every root and every gap well above its noise. Not a proof; see the measured rates.
     Agreed {
         /// Eliminations run.
         eliminations: u8,
@@ -135,7 +143,19 @@ impl General {
     /// # Errors
     /// A model error for an arm that is singular everywhere, or whose links are not finite.
     pub fn prepare(links: &[Pose; 6]) -> Result<Self> {
-        let arm = Scaled::new(links)?;
+        Self::prepare_with_slides(links, &[None; 6])
+    }
+
+    /// The same for an arm of which one or two joints slide along z instead of turning about it: those for which a length
+    /// is given, by which they move as a rule, in metres. It sets the scale and is no limit.
+    ///
+    /// A slide takes part in the equations by 1, q and q^2 in place of 1, cos q and sin q; the kept joint and the one opposite
+    /// turn.
+    ///
+    /// # Errors
+    /// As [`General::prepare`]; and for more than two slides, or lengths that are not positive.
+    pub fn prepare_with_slides(links: &[Pose; 6], slides: &[Option<f64>; 6]) -> Result<Self> {
+        let arm = Scaled::new(links, slides)?;
         let tables = Box::new(Tables::new());
         let (eliminations, least) = Arch::new().dispatch(trial::Trial {
             arm: &arm,
@@ -181,6 +201,7 @@ impl WithSimd for Solve<'_> {
         } = self;
         let goal = Goal {
             links: &general.arm.links,
+            slides: &general.arm.slides,
             target: Rigid::of(&target.pose),
         };
         agreement::run(simd, general, &goal, &target, out)
@@ -191,7 +212,16 @@ impl WithSimd for Solve<'_> {
 const TOTAL: f64 = 3.0;
 
 impl Scaled {
-    fn new(links: &[Pose; 6]) -> Result<Self> {
+    fn new(links: &[Pose; 6], slides: &[Option<f64>; 6]) -> Result<Self> {
+        let travels = || slides.iter().flatten();
+        if travels().count() > 2 {
+            let text = "at most two of its six joints may slide: with three the orientation alone gives the angles";
+            return Err(Error::model("arm", text));
+        }
+        if !travels().all(|&length| length.is_finite() && length > 0.0) {
+            let text = "the length by which a joint slides is not a positive number";
+            return Err(Error::model("arm", text));
+        }
         let finite = |pose: &Pose| {
             let entries = pose.rotation.matrix().iter();
             entries
@@ -211,6 +241,7 @@ impl Scaled {
             .iter()
             .map(|pose| pose.translation.vector.norm())
             .sum();
+        let total = total + travels().sum::<f64>();
         if total.is_nan() || total <= 0.0 {
             let text = "all six axes meet in a point: it cannot move the tool's point";
             return Err(Error::model("arm", text));
@@ -224,7 +255,8 @@ impl Scaled {
         }
         Ok(Self {
             links: poses.each_ref().map(Rigid::of),
-            reach: reach::Reach::new(&poses),
+            reach: reach::Reach::new(&poses, &slides.map(|slide| slide.is_some())),
+            slides: slides.map(|slide| slide.is_some()),
             poses,
             rise,
             last: links[5].inverse(),
@@ -243,7 +275,11 @@ impl Scaled {
     fn forward(&self, q: &[f64; 6]) -> Pose {
         let mut pose = Pose::identity();
         for (index, angle) in q.iter().enumerate() {
-            pose *= spatial::turn(&Vector3::z_axis(), angle.sin_cos());
+            if self.slides[index] {
+                pose *= spatial::shift(Vector3::new(0.0, 0.0, *angle));
+            } else {
+                pose *= spatial::turn(&Vector3::z_axis(), angle.sin_cos());
+            }
             if let Some(link) = self.poses.get(index) {
                 pose *= link;
             }

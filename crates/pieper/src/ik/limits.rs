@@ -3,8 +3,11 @@
 use std::f64::consts::TAU;
 
 use super::TOLERANCES;
+use super::angle::is_periodic;
+use super::arm::Arm;
+use super::curve;
 use super::solutions::{JointVector, Solution, Solutions};
-use crate::model::{Chain, Variable};
+use crate::model::Chain;
 
 /// Whether every value lies within its joint's limits.
 #[inline]
@@ -15,6 +18,36 @@ pub(super) fn within(chain: &Chain, q: &JointVector) -> bool {
             limits.lower() - slack <= value && value <= limits.upper() + slack
         })
     })
+}
+
+/// Whether every value, or a copy of it by whole turns, lies within its joint's limits.
+pub(super) fn fits(chain: &Chain, q: &JointVector) -> bool {
+    (0..chain.dof()).all(|j| copy_within(chain, j, q[j]).is_some())
+}
+
+/// Replaces every value by the copy closest to it that lies within its joint's limits, where there is one.
+pub(super) fn bring(chain: &Chain, q: &mut JointVector) {
+    for (j, value) in q.iter_mut().enumerate().take(chain.dof()) {
+        *value = copy_within(chain, j, *value).unwrap_or(*value);
+    }
+}
+
+/// The copy by whole turns closest to a value that lies within the limits.
+fn copy_within(chain: &Chain, variable: usize, value: f64) -> Option<f64> {
+    let Some(limits) = chain.variables()[variable].limits else {
+        return Some(value);
+    };
+    let (lower, upper) = (
+        limits.lower() - TOLERANCES.limit,
+        limits.upper() + TOLERANCES.limit,
+    );
+    let turns = match is_periodic(chain, variable) {
+        true if value < lower => ((lower - value) / TAU).ceil(),
+        true if value > upper => -((value - upper) / TAU).ceil(),
+        _ => 0.0,
+    };
+    let value = value + turns * TAU;
+    (lower <= value && value <= upper).then_some(value)
 }
 
 /// The most copies of one solution that are listed: six joints with three turns each.
@@ -35,8 +68,8 @@ fn copies(chain: &Chain, solution: &Solution) -> Vec<Solution> {
         within_limits: true,
         ..*solution
     }];
-    for (j, variable) in chain.variables().iter().enumerate() {
-        let values = values_within(variable, solution.q[j]);
+    for j in 0..chain.dof() {
+        let values = values_within(chain, j, solution.q[j]);
         let vary = |copy: &Solution| -> Vec<Solution> {
             let with = |&value: &f64| {
                 let mut copy = *copy;
@@ -51,15 +84,15 @@ fn copies(chain: &Chain, solution: &Solution) -> Vec<Solution> {
 }
 
 /// A value and its copies by whole turns that lie within the limits, the smallest change first.
-fn values_within(variable: &Variable, value: f64) -> Vec<f64> {
-    let Some(limits) = variable.limits else {
+fn values_within(chain: &Chain, variable: usize, value: f64) -> Vec<f64> {
+    let Some(limits) = chain.variables()[variable].limits else {
         return vec![value];
     };
     let (lower, upper) = (
         limits.lower() - TOLERANCES.limit,
         limits.upper() + TOLERANCES.limit,
     );
-    if !variable.kind.is_angular() {
+    if !is_periodic(chain, variable) {
         return Vec::from_iter((lower <= value && value <= upper).then_some(value));
     }
     let first = ((lower - value) / TAU).ceil();
@@ -81,6 +114,9 @@ pub enum Ranking<'a> {
     Seed(&'a [f64]),
     /// The one farthest from its limits (the smallest margin, as part of each joint's range).
     Margin,
+    /// The one farthest from a singular pose: by the smallest singular value of the Jacobian there, with lengths in the
+    /// arm's extent.
+    Singularity,
 }
 
 /// Sorts solutions; equal ones keep their order.
@@ -108,6 +144,12 @@ pub fn rank(chain: &Chain, solutions: &mut [Solution], ranking: Ranking<'_>) {
                 margins.fold(f64::INFINITY, f64::min)
             };
             solutions.sort_by(|a, b| margin(b).total_cmp(&margin(a)));
+        }
+        Ranking::Singularity => {
+            // A chain that no solver takes has no solutions to sort.
+            let Ok(arm) = Arm::new(chain) else { return };
+            let regular = |solution: &Solution| curve::tangent(&arm, &solution.q).1;
+            solutions.sort_by(|a, b| regular(b).total_cmp(&regular(a)));
         }
     }
 }

@@ -92,6 +92,11 @@ impl Normal {
         self.alpha.0 == 0.0
     }
 
+    /// Whether the axes meet in exactly one point.
+    pub(super) fn crosses(&self) -> bool {
+        self.meets() && !self.is_parallel()
+    }
+
     pub(super) fn meets(&self) -> bool {
         self.a == 0.0
     }

@@ -5,7 +5,10 @@ use pulp::{Arch, Simd, WithSimd};
 use super::arm::{Arm, MAX_JOINTS};
 use super::sink::Marks;
 use super::solutions::{Branch, JointVector};
-use crate::kinematics::batch::{self, ENTRIES, GROUP};
+use crate::kinematics::{
+    batch::ENTRIES,
+    group::{self, GROUP},
+};
 use crate::spatial::Pose;
 
 /// Up to [`GROUP`] proposals as sines and cosines.
@@ -60,7 +63,7 @@ impl Pending {
         });
         let mut entries = [[0.0; GROUP]; ENTRIES];
         let canonical = arm.chain().canonical();
-        if batch::group(canonical, &measured.q, &mut entries) {
+        if group::poses(canonical, &measured.q, &mut entries) {
             measured.misses = Some(misses(&entries, pose));
         }
         measured

@@ -23,6 +23,14 @@ pub enum Part {
     ToolAxis,
     /// The directions of joints that slide do not reach the point.
     Slides,
+    /// The tool's point comes no closer.
+    Point,
+    /// With the tool's point in place, its axis cannot be turned to the direction.
+    Axis,
+    /// The tool's axis cannot be turned to the direction.
+    Direction,
+    /// With the tool's point and axis in place, the turn about the axis is another.
+    Spin,
     /// A search found nothing; this is no proof.
     NothingFound,
     /// Roots were proposed, but none of them closes.
@@ -41,11 +49,18 @@ pub struct Shortfall {
 impl Part {
     /// Whether the amount is an angle.
     pub fn is_angular(self) -> bool {
-        matches!(self, Self::Orientation | Self::ToolAxis)
+        matches!(
+            self,
+            Self::Orientation | Self::ToolAxis | Self::Axis | Self::Direction | Self::Spin
+        )
     }
 }
 
 impl Shortfall {
+    pub(super) fn new(part: Part, amount: f64) -> Self {
+        Self { part, amount }
+    }
+
     /// Whether a row knew that a part fails, but not by how much.
     pub(super) fn is_unmeasured(&self) -> bool {
         self.amount.is_nan() || self.amount <= f64::MIN_POSITIVE
@@ -87,6 +102,16 @@ impl fmt::Display for Shortfall {
             Part::Slides => write!(
                 f,
                 "the point lies {amount} off what the sliding joints reach"
+            ),
+            Part::Point => write!(f, "the tool's point comes no closer than {amount}"),
+            Part::Axis => write!(
+                f,
+                "the tool's axis: {amount} off at best, with the tool's point in place"
+            ),
+            Part::Direction => write!(f, "the tool's axis: {amount} off at best"),
+            Part::Spin => write!(
+                f,
+                "the turn about the tool's axis: {amount} off at best, with the tool's point and axis in place"
             ),
             Part::NothingFound => write!(
                 f,

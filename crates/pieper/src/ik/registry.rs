@@ -6,7 +6,9 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
-use super::{elimination, numeric, parallel, planar, spherical, swivel};
+use super::{
+    elimination, fewer, locked, numeric, parallel, planar, spherical, swivel, three_slides,
+};
 use crate::spatial::Pose;
 
 /// A solver prepared for one arm.
@@ -71,13 +73,28 @@ pub const ROWS: &[Row] = &[
         prepare: planar::prepare,
     },
     Row {
+        name: "three-slides",
+        summary: "six joints of which three slide: the angles from the orientation, then the slides, two solutions",
+        prepare: three_slides::prepare,
+    },
+    Row {
+        name: "locked",
+        summary: "any seven joints: families over the first or the last, the other six solved by one of these rows",
+        prepare: locked::prepare,
+    },
+    Row {
+        name: "fewer",
+        summary: "up to five joints: joints that the arm does not have make up six, and must come out at zero",
+        prepare: fewer::prepare,
+    },
+    Row {
         name: "general",
-        summary: "six axes in any position: elimination to one angle, all real solutions up to sixteen",
+        summary: "six axes in any position, up to two sliding: elimination to one angle, all real solutions up to sixteen",
         prepare: elimination::prepare,
     },
     Row {
-        name: "numeric",
-        summary: "damped least squares from many starts: any chain, without a proof of completeness",
+        name: numeric::NAME,
+        summary: "damped least squares from many starts: any chain, no proof that all solutions are found",
         prepare: numeric::prepare,
     },
 ];

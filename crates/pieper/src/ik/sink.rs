@@ -2,14 +2,15 @@
 
 use super::arm::{Arm, residuals};
 use super::curve;
-use super::descent::{self, newton};
+use super::descent::{self, ROUNDING, Room, newton};
 use super::pending::Pending;
 use super::reason::{Part, Shortfall};
 use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
 };
+use super::wrist::Method;
 use super::{MAX_JOINTS, TOLERANCES};
-use crate::kinematics::batch::GROUP;
+use crate::kinematics::group::GROUP;
 use crate::spatial::Pose;
 
 /// What a row knows about a proposal.
@@ -42,6 +43,7 @@ pub struct Sink<'a> {
     arm: &'a Arm,
     pose: &'a Pose,
     slack: f64,
+    method: Method,
     out: &'a mut Solutions,
     shortfall: Option<Shortfall>,
     rejected: bool,
@@ -55,11 +57,21 @@ impl<'a> Sink<'a> {
             arm,
             pose,
             slack,
+            method: Method::Matrix,
             out,
             shortfall: None,
             rejected: false,
             pending: Pending::new(),
         }
+    }
+
+    pub(super) fn with_method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// How rotations are to be represented where a row knows more than one way.
+    pub fn method(&self) -> Method {
+        self.method
     }
 
     /// The arm.
@@ -78,9 +90,14 @@ impl<'a> Sink<'a> {
         self.slack
     }
 
-    /// The number of isolated solutions so far.
+    /// The number of isolated solutions and families so far.
     pub fn found(&self) -> usize {
-        self.out.len
+        self.out.len + self.out.family_count
+    }
+
+    /// Whether there is no room for more families or no room for more isolated solutions.
+    pub(super) fn is_full(&self) -> bool {
+        self.out.len == MAX_SOLUTIONS || self.out.family_count == MAX_FAMILIES
     }
 
     /// Says that a branch does not exist, and how far it is from existing.
@@ -169,12 +186,12 @@ impl<'a> Sink<'a> {
         let rough = |turn: f64, shift: f64, limit: f64| !(turn <= limit && shift <= limit * extent);
         if rough(turn, shift, TOLERANCES.rounding) {
             let start = q;
-            (q, _) = newton(self.arm, &start, self.pose, None);
+            (q, _) = newton(self.arm, &start, self.pose, None, f64::EPSILON);
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
             if self.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
                 // Near a singularity Newton's steps overshoot; damped ones do not.
-                let near = descent::damped(self.arm, &start, self.pose, false);
-                (q, _) = newton(self.arm, &near.q, self.pose, None);
+                let near = descent::damped(self.arm, &start, self.pose, Room::Free, ROUNDING);
+                (q, _) = newton(self.arm, &near.q, self.pose, None, f64::EPSILON);
             }
             self.arm.wrap(&mut q);
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
@@ -186,7 +203,7 @@ impl<'a> Sink<'a> {
         }
         let solution = self.solution(q, turn.max(shift), branch, marks);
         if self.arm.chain().dof() > 6 {
-            return self.add_redundant(&solution);
+            return self.add_redundant(&solution, marks);
         }
         if marks.free && self.add_family(&solution) {
             return false;
@@ -251,7 +268,7 @@ impl<'a> Sink<'a> {
         // The line between two points of a curved valley leaves its floor: Newton's method leads back to it.
         for improve in [false, true] {
             if improve {
-                (middle, _) = newton(self.arm, &middle, self.pose, None);
+                (middle, _) = newton(self.arm, &middle, self.pose, None, f64::EPSILON);
             }
             self.arm.wrap(&mut middle);
             let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);
@@ -276,13 +293,8 @@ impl<'a> Sink<'a> {
             return false;
         };
         for family in &self.out.families[..self.out.family_count] {
-            if curve::passes(
-                self.arm,
-                &family.member,
-                &family.heading,
-                self.pose,
-                &solution.q,
-            ) {
+            let line = (&family.at, &family.heading);
+            if curve::passes(self.arm, line, self.pose, &solution.q, MAX_JOINTS) {
                 return true;
             }
         }
@@ -290,10 +302,12 @@ impl<'a> Sink<'a> {
         true
     }
 
-    fn add_redundant(&mut self, solution: &Solution) -> bool {
-        for index in 0..self.out.family_count {
-            let member = self.out.families[index].member;
-            if self.distance(&member, &solution.q) < TOLERANCES.near {
+    fn add_redundant(&mut self, solution: &Solution, marks: Marks) -> bool {
+        for family in &self.out.families[..self.out.family_count] {
+            let line = (&family.at, &family.heading);
+            if self.distance(&family.at, &solution.q) < TOLERANCES.near
+                || marks.edge && curve::passes(self.arm, line, self.pose, &solution.q, MAX_JOINTS)
+            {
                 return false;
             }
         }
@@ -312,6 +326,7 @@ impl<'a> Sink<'a> {
         if self.out.family_count < MAX_FAMILIES {
             self.out.families[self.out.family_count] = Family {
                 member: solution.q,
+                at: solution.q,
                 heading,
                 free,
                 dof: solution.dof,
@@ -327,8 +342,8 @@ impl<'a> Sink<'a> {
     #[cold]
     fn rescue(&mut self) {
         for index in 0..RESCUE_STARTS {
-            let start = super::numeric::start(self.arm, index);
-            let mut found = descent::damped(self.arm, &start, self.pose, false);
+            let start = super::numeric::start(self.arm, index, Room::Free);
+            let mut found = descent::damped(self.arm, &start, self.pose, Room::Free, ROUNDING);
             self.arm.wrap(&mut found.q);
             if found.error < TOLERANCES.class {
                 let marks = Marks {

@@ -149,12 +149,17 @@ impl Solution {
 
 /// A curve of solutions: one member and the direction in which it goes on there.
 ///
+/// Where more than one joint is free beyond what the pose needs, solutions fill surfaces: then one family is listed, with
+/// one of its directions, for all of them.
+///
 /// [`Solver::samples`](super::Solver::samples) follows the curve; [`Solver::nearest_member`](super::Solver::nearest_member)
 /// finds its point closest to given joint values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Family {
     pub(super) member: JointVector,
-    /// In the units of the columns, to follow the curve by.
+    /// The member as the joint vector of the arm at work.
+    pub(super) at: JointVector,
+    /// Of the arm at work, in the units of the columns, to follow the curve by.
     pub(super) heading: JointVector,
     /// In radians and metres.
     pub(super) free: JointVector,
@@ -178,6 +183,7 @@ impl Family {
 
     pub(super) const EMPTY: Self = Self {
         member: [0.0; MAX_JOINTS],
+        at: [0.0; MAX_JOINTS],
         heading: [0.0; MAX_JOINTS],
         free: [0.0; MAX_JOINTS],
         dof: 0,

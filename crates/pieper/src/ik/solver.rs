@@ -1,48 +1,90 @@
 //! The solver of one arm.
 
-use super::arm::{Arm, MAX_JOINTS};
+use super::arm::Arm;
 use super::classify::{self, Structure};
-use super::curve;
-use super::nearest;
+use super::goal::{Goal, Question};
+use super::nearest::{self, Ladder};
 use super::reason::{Part, Shortfall};
 use super::registry::{self, Choice};
 use super::sink::{Marks, Sink};
-use super::solutions::{Branch, Family, JointVector, Nearest, Solutions, Status};
+use super::solutions::{Branch, JointVector, Nearest, Solutions, Status};
+use super::view::View;
+use super::wrist::Method;
 use crate::error::{Error, Result};
 use crate::model::Chain;
 use crate::spatial::Pose;
 
-/// Inverse kinematics of one chain, prepared once: a few microseconds to classify it.
+/// Inverse kinematics of one chain, prepared once: a few microseconds to classify it, a few milliseconds if no closed form
+/// takes it.
 #[derive(Clone, Debug)]
 pub struct Solver {
-    arm: Arm,
+    /// The arm at work: the chain without joints that are held, with others that make up for what a goal leaves open.
+    pub(super) arm: Arm,
+    pub(super) view: View,
     structure: Structure,
     choice: Choice,
+    method: Method,
+    ladder: Option<Box<Ladder>>,
 }
 
 impl Solver {
-    /// Prepares a chain.
+    /// Prepares a chain for whole poses.
     ///
     /// # Errors
-    /// A model error for a chain of more than [`MAX_JOINTS`] joints.
+    /// A model error for a chain of more than [`MAX_JOINTS`](super::MAX_JOINTS) joints.
     pub fn new(chain: &Chain) -> Result<Self> {
-        let arm = Arm::new(chain)?;
+        Self::prepare(chain, &Question::default())
+    }
+
+    /// Prepares a chain for a part of a pose, or with joints held.
+    ///
+    /// ```
+    /// use pieper::ik::{Goal, Question, Solver, Status};
+    /// use pieper::{describe::Robot, kinematics};
+    /// let text = "name = 'elbow'\nconvention = 'standard'\n[[joint]]\ntheta = 'q1'\na = 0.5\n[[joint]]\ntheta = 'q2'\na = 0.4";
+    /// let chain = Robot::from_toml("elbow.toml", text)?.chain()?;
+    /// let question = Question { goal: Goal::Position, ..Question::default() };
+    /// let pose = kinematics::tool_pose(&chain, &[0.3, 0.7])?;
+    /// let found = Solver::prepare(&chain, &question)?.solve(&pose)?;
+    /// assert_eq!((found.status(), found.len()), (Status::Solved, 2)); // elbow up, elbow down
+    /// # Ok::<(), pieper::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Solver::new`]; an input error for a held joint that the chain does not have, that is held twice or at no finite
+    /// value; a model error if no joint is left.
+    pub fn prepare(chain: &Chain, question: &Question) -> Result<Self> {
+        let (view, free, work) = View::new(chain, question)?;
+        let arm = Arm::new(&work)?;
         let structure = classify::of(&arm);
         let choice = registry::choose(&arm, &structure)
             .ok_or_else(|| Error::model("chain", "no solver takes it"))?;
+        let needs = matches!(question.goal, Goal::Pose | Goal::PositionAxis);
+        let ladder = match needs && arm.chain().dof() < 6 {
+            true => Some(Box::new(Ladder::new(&free, question.goal)?)),
+            false => None,
+        };
         Ok(Self {
             arm,
+            view,
             structure,
             choice,
+            method: question.method,
+            ladder,
         })
     }
 
     /// The chain.
     pub fn chain(&self) -> &Chain {
-        self.arm.chain()
+        &self.view.chain
     }
 
-    /// How the axes lie.
+    /// The part of a pose that it solves for.
+    pub fn goal(&self) -> Goal {
+        self.view.goal
+    }
+
+    /// How the axes lie: of the chain without joints that are held, with those that make up for what a goal leaves open.
     pub fn structure(&self) -> &Structure {
         &self.structure
     }
@@ -70,7 +112,7 @@ impl Solver {
     pub fn solve_into(&self, pose: &Pose, out: &mut Solutions) -> Result<()> {
         check(pose)?;
         let target = self.arm.target(pose);
-        let mut sink = Sink::new(&self.arm, pose, self.choice.slack, out);
+        let mut sink = self.sink(pose, out);
         self.choice.solver.solve(&target, &mut sink);
         sink.finish();
         if out.status == Status::Unreachable
@@ -78,7 +120,12 @@ impl Solver {
         {
             self.measure(pose, out);
         }
+        self.view.present(&self.arm, pose, out);
         Ok(())
+    }
+
+    fn sink<'a>(&'a self, pose: &'a Pose, out: &'a mut Solutions) -> Sink<'a> {
+        Sink::new(&self.arm, pose, self.choice.slack, out).with_method(self.method)
     }
 
     /// Measures a failure for which the row had no number, by search. Should the search reach the pose after all, it
@@ -86,79 +133,56 @@ impl Solver {
     #[cold]
     fn measure(&self, pose: &Pose, out: &mut Solutions) {
         let part = out.reason.map_or(Part::NoneCloses, |reason| reason.part);
-        let nearest = nearest::find(&self.arm, pose);
-        let mut sink = Sink::new(&self.arm, pose, self.choice.slack, out);
-        sink.push_joints(nearest.q, Branch::default(), Marks::PLAIN);
+        let (reason, q) = self.closest(pose, part);
+        let mut sink = self.sink(pose, out);
+        sink.push_joints(q, Branch::default(), Marks::PLAIN);
         sink.finish();
         if out.status == Status::Unreachable {
-            let amount = match part.is_angular() {
-                true => nearest.orientation_error,
-                false => nearest.position_error,
-            };
-            out.reason = Some(Shortfall { part, amount });
-            out.nearest = Some(nearest);
+            out.reason = Some(reason);
+            out.nearest = Some(self.view.nearest(&q, pose));
         }
     }
 
-    /// The closest the arm comes to a pose that it cannot reach: a local search from many starts.
+    /// Joint values of the arm at work that come closest, and what they miss, said of `part` unless another is known.
+    fn closest(&self, pose: &Pose, part: Part) -> (Shortfall, JointVector) {
+        if let Some(ladder) = &self.ladder {
+            let (reason, mut q) = ladder.find(pose);
+            q[self.arm.chain().dof()..].fill(0.0);
+            return (reason, q);
+        }
+        let q = nearest::find(&self.arm, pose);
+        let miss = self.view.nearest(&q, pose);
+        let part = match self.view.goal {
+            Goal::Position => Part::Point,
+            Goal::Axis => Part::Direction,
+            _ => part,
+        };
+        let amount = match part.is_angular() {
+            true => miss.orientation_error,
+            false => miss.position_error,
+        };
+        (Shortfall::new(part, amount), q)
+    }
+
+    /// The closest the arm comes to a pose that it cannot reach: a local search from many starts. Errors of what is not
+    /// asked for count as 0.
+    ///
+    /// With six joints or more, position errors in the arm's extent and orientation errors in radians count alike. With
+    /// fewer, the tool's point comes first.
     ///
     /// # Errors
     /// As [`Solver::solve`].
     pub fn nearest(&self, pose: &Pose) -> Result<Nearest> {
         check(pose)?;
-        Ok(nearest::find(&self.arm, pose))
-    }
-
-    /// `count` members of a family, spread evenly along it, the listed member first.
-    pub fn samples(&self, family: &Family, count: usize) -> Vec<Vec<f64>> {
-        let pose = self.arm.pose(&family.member);
-        let mut points: Vec<JointVector> = Vec::new();
-        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q| {
-            points.push(*q);
-            true
-        });
-        let (dof, last) = (self.arm.chain().dof(), points.len().saturating_sub(1));
-        let pick = |k: usize| {
-            let mut q = points[k * last / count.max(2).saturating_sub(1)];
-            self.arm.wrap(&mut q);
-            q[..dof].to_vec()
-        };
-        (0..count).map(pick).collect()
-    }
-
-    /// The member of a family that is closest to the joint values `seed`.
-    ///
-    /// # Errors
-    /// An input error unless `seed` has one finite value for each variable.
-    pub fn nearest_member(&self, family: &Family, seed: &[f64]) -> Result<Vec<f64>> {
-        let chain = self.arm.chain();
-        chain.check_joint_values(seed)?;
-        let mut wanted = [0.0; MAX_JOINTS];
-        wanted[..seed.len()].copy_from_slice(seed);
-        let pose = self.arm.pose(&family.member);
-        let distance = |q: &JointVector| -> f64 {
-            curve::difference(&self.arm, q, &wanted)
-                .iter()
-                .map(|x| x * x)
-                .sum()
-        };
-        let (mut best, mut least) = (family.member, f64::INFINITY);
-        curve::follow(&self.arm, &family.member, &family.heading, &pose, |q| {
-            if distance(q) < least {
-                (best, least) = (*q, distance(q));
-            }
-            true
-        });
-        let mut q = curve::closest(&self.arm, &best, &pose, &wanted);
-        self.arm.wrap(&mut q);
-        Ok(q[..chain.dof()].to_vec())
+        let (_, q) = self.closest(pose, Part::NoneCloses);
+        Ok(self.view.nearest(&q, pose))
     }
 }
 
 /// How far from orthonormal a pose may be: what callers pass was projected or computed.
 const ORTHONORMAL: f64 = 1e-6;
 
-fn check(pose: &Pose) -> Result<()> {
+pub(super) fn check(pose: &Pose) -> Result<()> {
     let (m, t) = (pose.rotation.matrix(), &pose.translation.vector);
     // A NaN makes the sum a NaN, and every comparison with it false.
     let sum: f64 = m.iter().chain(t.iter()).map(|x| x.abs()).sum();

@@ -173,7 +173,7 @@ impl Spherical {
             whole *= link;
         }
         let rotation = whole.transpose();
-        let turns = self.ball.solve(&rotation, sink.slack());
+        let turns = self.ball.solve(&rotation, sink.slack(), sink.method());
         if let Some(shortfall) = turns.shortfall {
             sink.fail(shortfall.part, shortfall.amount);
         }

@@ -123,8 +123,8 @@ impl Swivel {
         let last = target.rotation * self.links[6].rotation.inverse();
         let rest = (elbow * self.links[3].rotation.matrix()).transpose() * last.matrix();
         let (first, second) = (
-            self.shoulder.solve(shoulder, sink.slack()),
-            self.wrist.solve(&rest, sink.slack()),
+            self.shoulder.solve(shoulder, sink.slack(), sink.method()),
+            self.wrist.solve(&rest, sink.slack(), sink.method()),
         );
         for (turned, root) in first.list[..first.len].iter().zip([1, 2, 3]) {
             for bent in &second.list[..second.len] {

@@ -1,6 +1,6 @@
 //! Three axes through one point turn a body to an orientation.
 
-use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use super::TOLERANCES;
 use super::angle::{Roots, back, forth, turn_between};
@@ -22,6 +22,8 @@ pub enum Method {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ball {
     alpha: [(f64, f64); 2],
+    /// Sines and cosines of half the sum of both angles, and of half of the second minus the first.
+    halves: [(f64, f64); 2],
     /// Whether both angles between neighbouring axes are right ones to the last bit.
     right: bool,
     /// Sines and cosines of where the three joints' own zeros lie.
@@ -50,16 +52,31 @@ pub(super) struct Turns {
 
 impl Ball {
     pub(super) fn new(first: &Normal, second: &Normal) -> Self {
+        let shifts = [first.phi, first.psi + second.phi, second.psi].map(sin_cos_exact);
+        Self::between([first.alpha, second.alpha], shifts)
+    }
+
+    fn between(alpha: [(f64, f64); 2], shifts: [(f64, f64); 3]) -> Self {
+        let [first, second] = alpha.map(|(sin, cos)| sin.atan2(cos));
         Self {
-            alpha: [first.alpha, second.alpha],
-            right: first.alpha.1 == 0.0 && second.alpha.1 == 0.0,
-            shifts: [first.phi, first.psi + second.phi, second.psi].map(sin_cos_exact),
+            alpha,
+            halves: [0.5 * (first + second), 0.5 * (second - first)].map(sin_cos_exact),
+            right: alpha.iter().all(|(_, cos)| *cos == 0.0),
+            shifts,
         }
     }
 
-    /// Both ways to reach the rotation `r`.
+    /// Both ways to reach the rotation `r`, by one method or the other.
     #[inline]
-    pub(super) fn solve(&self, r: &Matrix3<f64>, slack: f64) -> Turns {
+    pub(super) fn solve(&self, r: &Matrix3<f64>, slack: f64, method: Method) -> Turns {
+        match method {
+            Method::Matrix => self.solve_by_matrices(r, slack),
+            Method::Quaternion => self.solve_by_quaternions(r, slack),
+        }
+    }
+
+    #[inline]
+    fn solve_by_matrices(&self, r: &Matrix3<f64>, slack: f64) -> Turns {
         let [(s1, c1), (s2, c2)] = self.alpha;
         let (x, y, z) = (r[(0, 2)], r[(1, 2)], r[(2, 2)]);
         // Third column: Rz(x1) g with g = Rx(a1) Rz(x2) (0, -s2, c2). Its height gives cos x2; the sine comes from
@@ -73,24 +90,7 @@ impl Ball {
             (flat - c1 * c1 - c2 * c2 + 2.0 * c1 * c2 * z) / (product * product)
         };
         let sines = self.sines(square, slack);
-        let mut turns = Turns {
-            list: [Turned {
-                turns: [(0.0, 1.0); 3],
-                flip: false,
-                multiplicity: if sines.len == 1 { 2 } else { 1 },
-                edge: sines.edge,
-                free: false,
-            }; 3],
-            len: sines.len,
-            shortfall: None,
-        };
-        if sines.len == 0 {
-            let excess = cosine.abs().max(1.0) - 1.0;
-            turns.shortfall = Some(Shortfall {
-                part: Part::Orientation,
-                amount: (2.0 * excess).sqrt().max(f64::MIN_POSITIVE),
-            });
-        }
+        let mut turns = self.empty(&sines, cosine);
         for (turned, sine) in turns.list.iter_mut().zip(sines.iter()) {
             // Flip: the middle joint bends to the negative side, as its own zero counts it.
             turned.flip = sine < 0.0;
@@ -174,59 +174,64 @@ impl Ball {
         [back((sf, cf), a), back((sin, cos), b), back(last, c)]
     }
 
-    /// [`Ball::solve`] by quaternions, for right angles; `None` otherwise.
+    /// [`Ball::solve`] by quaternions: the same ways in the same order.
     ///
-    /// With `R = Rz(x1) Rx(+-90) Rz(x2) Rx(+-90) Rz(x3)` brought to the form `Rz Ry Rz`, the quaternion is
-    /// `(cos(b/2) cos((a+c)/2), sin(b/2) sin((c-a)/2), sin(b/2) cos((c-a)/2), cos(b/2) sin((a+c)/2))`:
-    /// sum and difference of the outer angles are two plane angles, the middle one the ratio of two lengths.
-    pub(super) fn solve_by_quaternions(&self, r: &Matrix3<f64>) -> Option<Turns> {
-        if !self.right {
-            return None;
-        }
+    /// With `m = qx(a1) qz(x2) qx(a2)` the quaternion is `qz(x1) m qz(x3)`: the plane vector `(w, k)` is that of m turned
+    /// by half the sum of the outer angles, `(i, j)` that of m turned by half their difference. Lengths do not change, and
+    /// give the middle angle: with A the half sum and B the half difference of the angles between the axes,
+    /// `w^2 + k^2 = cos^2(x2/2) cos^2 A + sin^2(x2/2) cos^2 B`.
+    fn solve_by_quaternions(&self, r: &Matrix3<f64>, slack: f64) -> Turns {
         let rotation = Rotation3::from_matrix_unchecked(*r);
-        let q = UnitQuaternion::from_rotation_matrix(&rotation);
-        let [(s1, _), (s2, _)] = self.alpha;
-        // Rx(s1 90) Rz(x) Rx(s2 90) = Rx(s1 90) Rz(x) Rx(-s1 90) Rx(s1 90 + s2 90) = Ry(-s1 x) Rx(0 or +-180).
-        let half_turn = if s1 == s2 {
-            // Rx(180) in front of the last turn: R Rx(-180) = Rz(a) Ry(b) Rz(-c).
-            UnitQuaternion::new_unchecked(Quaternion::new(0.0, -s1, 0.0, 0.0))
-        } else {
-            UnitQuaternion::identity()
-        };
-        let p = (q * half_turn).into_inner();
-        let mirror = if s1 == s2 { -1.0 } else { 1.0 };
-        let (sine, cosine) = (p.i.hypot(p.j), p.w.hypot(p.k));
-        let middle = 2.0 * sine.atan2(cosine);
-        let aligned = middle.sin().abs() < TOLERANCES.free;
-        let sum = 2.0 * p.k.atan2(p.w);
-        let difference = 2.0 * p.i.atan2(p.j);
-        let (a, c) = match (aligned, sine < cosine) {
-            (false, _) => (0.5 * (sum - difference), 0.5 * (sum + difference)),
-            (true, true) => (0.0, sum),
-            (true, false) => (0.0, difference),
-        };
-        let pi = std::f64::consts::PI;
-        let way = |a: f64, b: f64, c: f64| {
-            let theta = [a, -s1 * b, mirror * c];
-            let flip = theta[1].sin() < 0.0;
-            Turned {
-                turns: std::array::from_fn(|i| back(theta[i].sin_cos(), self.shifts[i])),
-                flip,
-                multiplicity: if aligned { 2 } else { 1 },
-                edge: aligned,
-                free: aligned,
-            }
-        };
-        let first = way(a, middle, c);
-        let mut list = [first, way(a + pi, -middle, c + pi), first];
-        if list[0].flip && !aligned {
-            list.swap(0, 1);
+        let q = UnitQuaternion::from_rotation_matrix(&rotation).into_inner();
+        let [(sum_sin, sum_cos), (gap_sin, gap_cos)] = self.halves;
+        let (outer, inner) = (q.w * q.w + q.k * q.k, q.i * q.i + q.j * q.j);
+        let product = -self.alpha[0].0 * self.alpha[1].0;
+        let cosine_2 = (outer * gap_sin * gap_sin - inner * gap_cos * gap_cos) / product;
+        let sine_2 = (inner * sum_cos * sum_cos - outer * sum_sin * sum_sin) / product;
+        let cosine = cosine_2 - sine_2;
+        let sines = self.sines(4.0 * sine_2 * cosine_2, slack);
+        let mut turns = self.empty(&sines, cosine);
+        for (turned, sine) in turns.list.iter_mut().zip(sines.iter()) {
+            turned.flip = sine < 0.0;
+            let middle = sine.atan2(cosine);
+            let (sin, cos) = (0.5 * middle).sin_cos();
+            let half_sum = q.k.atan2(q.w) - (sin * gap_cos).atan2(cos * sum_cos);
+            let half_gap = q.j.atan2(q.i) - (sin * gap_sin).atan2(cos * sum_sin);
+            // A plane vector without length has no direction: the first joint stands at zero then.
+            let short = |square: f64| square.sqrt() < 0.5 * TOLERANCES.free;
+            turned.free = short(inner) || short(outer);
+            let all = match (short(inner), short(outer)) {
+                (true, _) => [0.0, middle, 2.0 * half_sum],
+                (_, true) => [0.0, middle, -2.0 * half_gap],
+                _ => [half_sum + half_gap, middle, half_sum - half_gap],
+            };
+            turned.turns = std::array::from_fn(|i| back(all[i].sin_cos(), self.shifts[i]));
         }
-        Some(Turns {
-            list,
-            len: if aligned { 1 } else { 2 },
+        turns
+    }
+
+    /// Ways still without angles, one for each sine of the middle joint.
+    #[inline]
+    fn empty(&self, sines: &Roots, cosine: f64) -> Turns {
+        let mut turns = Turns {
+            list: [Turned {
+                turns: [(0.0, 1.0); 3],
+                flip: false,
+                multiplicity: if sines.len == 1 { 2 } else { 1 },
+                edge: sines.edge,
+                free: false,
+            }; 3],
+            len: sines.len,
             shortfall: None,
-        })
+        };
+        if sines.len == 0 {
+            let excess = cosine.abs().max(1.0) - 1.0;
+            turns.shortfall = Some(Shortfall {
+                part: Part::Orientation,
+                amount: (2.0 * excess).sqrt().max(f64::MIN_POSITIVE),
+            });
+        }
+        turns
     }
 }
 
@@ -248,18 +253,11 @@ impl Ball {
 /// }
 /// ```
 pub fn orientation(r: &Matrix3<f64>, signs: [f64; 2], method: Method) -> [[f64; 3]; 2] {
-    let ball = Ball {
-        alpha: signs.map(|sign| (1.0_f64.copysign(sign), 0.0)),
-        right: true,
-        shifts: [(0.0, 1.0); 3],
-    };
-    let turns = match method {
-        Method::Matrix => ball.solve(r, 0.0),
-        // Right angles by construction: the quaternion way always answers.
-        Method::Quaternion => ball
-            .solve_by_quaternions(r)
-            .unwrap_or_else(|| ball.solve(r, 0.0)),
-    };
+    let ball = Ball::between(
+        signs.map(|sign| (1.0_f64.copysign(sign), 0.0)),
+        [(0.0, 1.0); 3],
+    );
+    let turns = ball.solve(r, 0.0, method);
     let last = turns.len.saturating_sub(1);
     let angle = |(sin, cos): (f64, f64)| super::angle::wrap(sin.atan2(cos));
     [turns.list[0], turns.list[last]].map(|turned| turned.turns.map(angle))

@@ -9,12 +9,10 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::kernel::{Frame, Turn};
-use super::lanes::{self, LaneColumn, Lanes};
-use super::single::{self, Moved};
+use super::single;
+use super::tile::{self, Names, TILE};
 use crate::error::{Error, Result};
 use crate::model::{Canonical, Chain, PACK, Step};
-use crate::scalar::Scalar;
 use crate::spatial::Pose;
 
 /// Rows of equal length, each beginning on a cache line: then no register straddles two of them.
@@ -32,7 +30,14 @@ const LINE: usize = 8;
 
 impl Rows {
     fn zeros(rows: usize, count: usize) -> Self {
-        let stride = count.next_multiple_of(LINE);
+        // Rows a power of two apart would share their places in the cache: an odd number of tiles keeps them apart.
+        let lines = count.div_ceil(LINE).next_multiple_of(TILE);
+        let stride = LINE
+            * if (lines / TILE).is_multiple_of(2) {
+                lines + TILE
+            } else {
+                lines
+            };
         let values = vec![0.0; rows * stride + LINE];
         let start = values.as_ptr().align_offset(LINE * size_of::<f64>());
         Self {
@@ -249,34 +254,33 @@ impl WithSimd for Batch<'_> {
         let count = out[0].len();
         let width = S::F64_LANES;
         // A single lane has no fused multiply-add to reduce angles with: the plain way is the faster one there.
-        let blocks = if width > 1 { count / width } else { 0 };
-        let mut block = 0;
-        while block < blocks {
-            block = self::blocks(simd, canonical, q, start, &mut out, block..blocks);
-            if block < blocks {
-                let mut lanes = block * width..(block + 1) * width;
+        let registers = if width > 1 { count / width } else { 0 };
+        let mut done = 0;
+        while done < registers {
+            done = tiles(simd, canonical, q, start, &mut out, done..registers);
+            if done < registers {
+                let mut lanes = done * width..(done + 1) * width;
                 let bad = lanes.find_map(|at| plain(canonical, q, start + at, &mut out, at));
                 if bad.is_some() {
                     return bad;
                 }
-                block += 1;
+                done += 1;
             }
         }
-        (blocks * width..count).find_map(|at| plain(canonical, q, start + at, &mut out, at))
+        (registers * width..count).find_map(|at| plain(canonical, q, start + at, &mut out, at))
     }
 }
 
-/// Runs blocks of one register's worth of poses; the first that has to go the long way, or the end.
+/// Runs tiles of registers; the first register that has to go the long way, or the end.
 #[inline(always)]
-fn blocks<S: Simd>(
+fn tiles<S: Simd>(
     simd: S,
     canonical: &Canonical,
     q: &JointBatch,
     start: usize,
     out: &mut [&mut [f64]; ENTRIES],
-    blocks: Range<usize>,
+    registers: Range<usize>,
 ) -> usize {
-    let end = blocks.end;
     // Rows of registers, found once: finding them again for each step costs as much as the arithmetic of a link.
     let row = |variable: usize| S::as_simd_f64s(&q.joint(variable)[start..]).0;
     let mut rows: [&[S::f64s]; PACK] = [&[]; PACK];
@@ -287,157 +291,21 @@ fn blocks<S: Simd>(
     for (column, entries) in columns.iter_mut().zip(out.iter_mut()) {
         *column = S::as_mut_simd_f64s(entries).0;
     }
-    let zero = Lanes::splat(simd, 0.0);
-    let mut turns = Turns(
-        [Turn {
-            sin: zero,
-            cos: zero,
-        }; PACK],
-    );
-    // A plain loop: inside the closures of iterators the compiler forgets the processor's features.
-    for block in blocks {
+    let names = Names::before(&canonical.steps);
+    let mut first = registers.start;
+    while first < registers.end {
+        let last = registers.end.min(first + TILE);
         let joint = |variable: usize| match rows.get(variable) {
-            Some(row) => row[block],
-            None => row(variable)[block],
+            Some(row) => &row[first..last],
+            None => &row(variable)[first..last],
         };
-        let store = |entry: usize, value: S::f64s| columns[entry][block] = value;
-        if !several(simd, canonical, joint, &mut turns, store) {
-            return block;
+        let entries = columns.each_mut().map(|column| &mut column[first..last]);
+        if !tile::poses(simd, canonical, names, joint, entries) {
+            return first;
         }
+        first = last;
     }
-    end
-}
-
-/// Vectors in a group of [`group`].
-pub(crate) const GROUP: usize = 8;
-
-/// The tool's poses for [`GROUP`] joint vectors on the stack, value `j` of vector `k` at `q[j][k]`; `false`, and nothing
-/// of use written, if an angle is too large or not finite, or if this processor has no registers of several doubles.
-///
-/// For inverse kinematics, which verifies a handful of solutions at once.
-#[inline]
-pub(crate) fn group(
-    canonical: &Canonical,
-    q: &[[f64; GROUP]],
-    out: &mut [[f64; GROUP]; ENTRIES],
-) -> bool {
-    Arch::new().dispatch(Group { canonical, q, out })
-}
-
-struct Group<'a> {
-    canonical: &'a Canonical,
-    q: &'a [[f64; GROUP]],
-    out: &'a mut [[f64; GROUP]; ENTRIES],
-}
-
-impl WithSimd for Group<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let width = S::F64_LANES;
-        if width == 1 || !GROUP.is_multiple_of(width) {
-            return false;
-        }
-        let zero = Lanes::splat(simd, 0.0);
-        let mut turns = Turns(
-            [Turn {
-                sin: zero,
-                cos: zero,
-            }; PACK],
-        );
-        let mut columns: [&mut [S::f64s]; ENTRIES] = Default::default();
-        for (column, entries) in columns.iter_mut().zip(self.out.iter_mut()) {
-            *column = S::as_mut_simd_f64s(entries).0;
-        }
-        for block in 0..GROUP / width {
-            let joint = |variable: usize| S::as_simd_f64s(&self.q[variable]).0[block];
-            let store = |entry: usize, value: S::f64s| columns[entry][block] = value;
-            if !several(simd, self.canonical, joint, &mut turns, store) {
-                return false;
-            }
-        }
-        true
-    }
-}
-
-/// Sines and cosines of a pack of steps, where no register straddles two cache lines.
-#[repr(align(64))]
-struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
-
-/// One register's worth of poses: `joint` gives the values of a variable, `store` takes the entries; `false`, and
-/// nothing of use stored, if an angle is too large or not finite.
-#[inline(always)]
-fn several<S: Simd>(
-    simd: S,
-    canonical: &Canonical,
-    joint: impl Fn(usize) -> S::f64s,
-    Turns(turns): &mut Turns<S>,
-    mut store: impl FnMut(usize, S::f64s),
-) -> bool {
-    let splat = |value: f64| Lanes::splat(simd, value);
-    let base = single::base_frame(&canonical.base);
-    let column = |[x, y, z]: [f64; 3]| LaneColumn {
-        simd,
-        x: simd.splat_f64s(x),
-        y: simd.splat_f64s(y),
-        z: simd.splat_f64s(z),
-    };
-    let mut frame = Frame {
-        x: column(base.x),
-        y: column(base.y),
-        z: column(base.z),
-        p: column(base.p),
-    };
-    let mut sizes = splat(0.0);
-    for steps in canonical.steps.chunks(PACK) {
-        // All sines and cosines first: they are independent of one another, the product is one long chain.
-        for (turn, step) in turns.iter_mut().zip(steps) {
-            let value = Lanes {
-                simd,
-                value: joint(step.drive.variable),
-            };
-            let displacement = value.mul_add(splat(step.drive.factor), splat(step.drive.offset));
-            // Adding sizes, unlike comparing them, keeps what is not a number.
-            sizes = sizes
-                + Lanes {
-                    simd,
-                    value: simd.abs_f64s(displacement.value),
-                };
-            *turn = if step.turns {
-                lanes::sin_cos(displacement)
-            } else {
-                Turn {
-                    sin: displacement,
-                    cos: displacement,
-                }
-            };
-        }
-        let motion = |index: usize, step: &Step| {
-            if step.turns {
-                Moved::Turned(turns[index])
-            } else {
-                Moved::Slid(turns[index].sin)
-            }
-        };
-        frame = single::run(steps, frame, splat, motion, |_, _| {});
-    }
-    single::append_tail(&mut frame, canonical, splat);
-    let Frame { x, y, z, p } = frame;
-    store(0, x.x);
-    store(1, x.y);
-    store(2, x.z);
-    store(3, y.x);
-    store(4, y.y);
-    store(5, y.z);
-    store(6, z.x);
-    store(7, z.y);
-    store(8, z.z);
-    store(9, p.x);
-    store(10, p.y);
-    store(11, p.z);
-    let small = simd.less_than_f64s(sizes.value, simd.splat_f64s(lanes::MAX_REDUCED));
-    lanes::all_true(simd, small)
+    first
 }
 
 /// One pose with the standard library's sine and cosine; the vector's index if a value is not finite.

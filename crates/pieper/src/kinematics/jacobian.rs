@@ -49,24 +49,7 @@ pub fn pose_and_jacobian(
     if jacobian.ncols() != chain.dof() {
         *jacobian = Jacobian::zeros(chain.dof());
     }
-    let packed = chain.canonical().packed();
-    let pose = if packed.in_order {
-        let mut levers = Levers {
-            columns: columns_of(jacobian),
-            canonical: chain.canonical(),
-            count: 0,
-        };
-        single::checked_tool_pose(chain, q, &mut levers)?
-    } else {
-        jacobian.fill(0.0);
-        single::checked_tool_pose(
-            chain,
-            q,
-            &mut Moments {
-                columns: columns_of(jacobian),
-            },
-        )?
-    };
+    let pose = pose_and_columns(chain, q, columns_of(jacobian))?;
     if reference == Reference::Tool {
         let turn = pose.rotation.inverse();
         for column in columns_of(jacobian) {
@@ -76,6 +59,23 @@ pub fn pose_and_jacobian(
         }
     }
     Ok(pose)
+}
+
+/// The columns of [`pose_and_jacobian`], in the base's axes, into a buffer of the caller: one column for each variable.
+#[inline(always)]
+pub(crate) fn pose_and_columns(chain: &Chain, q: &[f64], columns: &mut [[f64; 6]]) -> Result<Pose> {
+    let canonical = chain.canonical();
+    if canonical.packed().in_order {
+        let mut levers = Levers {
+            columns,
+            canonical,
+            count: 0,
+        };
+        single::checked_tool_pose(chain, q, &mut levers)
+    } else {
+        columns.fill([0.0; 6]);
+        single::checked_tool_pose(chain, q, &mut Moments { columns })
+    }
 }
 
 /// The columns as they lie in memory.

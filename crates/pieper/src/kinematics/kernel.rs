@@ -126,7 +126,7 @@ impl<C: Column> Frame<C> {
 
 /// Columns `u cos + v sin` and `v cos - u sin`.
 #[inline(always)]
-fn combine<C: Column>(u: &C, v: &C, turn: &Turn<C::Scalar>) -> (C, C) {
+pub(super) fn combine<C: Column>(u: &C, v: &C, turn: &Turn<C::Scalar>) -> (C, C) {
     let u_turned = v.scaled_plus(&turn.sin, &u.scaled(&turn.cos));
     let v_turned = u.scaled_plus(&-turn.sin.clone(), &v.scaled(&turn.cos));
     (u_turned, v_turned)

@@ -58,12 +58,24 @@ impl<S: Simd> Mul for Lanes<S> {
     }
 }
 
+/// `-v`. Not `neg_f64s`, nor `abs_f64s` below: those are not always inlined, and without link-time optimisation become calls.
+#[inline(always)]
+pub(crate) fn negative<S: Simd>(simd: S, v: S::f64s) -> S::f64s {
+    simd.xor_f64s(v, simd.splat_f64s(-0.0))
+}
+
+/// `|v|`.
+#[inline(always)]
+pub(crate) fn magnitude<S: Simd>(simd: S, v: S::f64s) -> S::f64s {
+    simd.and_f64s(v, simd.splat_f64s(f64::from_bits(!(1 << 63))))
+}
+
 impl<S: Simd> Neg for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         Self {
-            value: self.simd.neg_f64s(self.value),
+            value: negative(self.simd, self.value),
             ..self
         }
     }
@@ -86,16 +98,6 @@ impl<S: Simd> Scalar for Lanes<S> {
     }
 }
 
-/// A polynomial by Horner's rule, lowest coefficient first.
-#[inline(always)]
-fn horner<S: Simd, const N: usize>(x: Lanes<S>, coefficients: &[f64; N]) -> Lanes<S> {
-    let mut sum = Lanes::splat(x.simd, coefficients[N - 1]);
-    for &coefficient in coefficients[..N - 1].iter().rev() {
-        sum = sum.mul_add(x, Lanes::splat(x.simd, coefficient));
-    }
-    sum
-}
-
 /// A column of several poses at once.
 #[derive(Clone, Copy)]
 pub(super) struct LaneColumn<S: Simd> {
@@ -103,6 +105,14 @@ pub(super) struct LaneColumn<S: Simd> {
     pub(super) x: S::f64s,
     pub(super) y: S::f64s,
     pub(super) z: S::f64s,
+}
+
+impl<S: Simd> LaneColumn<S> {
+    /// The column, or its opposite if `sign` is below zero.
+    #[inline(always)]
+    pub(super) fn signed(self, sign: f64) -> Self {
+        if sign < 0.0 { self.negated() } else { self }
+    }
 }
 
 impl<S: Simd> Column for LaneColumn<S> {
@@ -137,9 +147,9 @@ impl<S: Simd> Column for LaneColumn<S> {
         let simd = self.simd;
         Self {
             simd,
-            x: simd.neg_f64s(self.x),
-            y: simd.neg_f64s(self.y),
-            z: simd.neg_f64s(self.z),
+            x: negative(simd, self.x),
+            y: negative(simd, self.y),
+            z: negative(simd, self.z),
         }
     }
 }
@@ -164,10 +174,8 @@ const SIN: [f64; 6] = [
     1.589_690_995_211_550_102_21e-10,
 ];
 
-/// 1 - r^2/2 and minimax coefficients of what follows in r^2, same source.
-const COS: [f64; 8] = [
-    1.0,
-    -0.5,
+/// Minimax coefficients of (cos r - 1 + r^2/2) / r^4 in r^2, same source.
+const COS: [f64; 6] = [
     4.166_666_666_666_660_190_37e-2,
     -1.388_888_888_887_410_957_49e-3,
     2.480_158_728_947_672_941_78e-5,
@@ -181,13 +189,43 @@ const COS: [f64; 8] = [
 /// For units with a fused multiply-add: the reduction's first product has to be exact.
 #[inline(always)]
 pub(super) fn sin_cos<S: Simd>(x: Lanes<S>) -> Turn<Lanes<S>> {
-    let simd = x.simd;
-    let splat = |value| Lanes::splat(simd, value);
+    reduced(x).sin_cos()
+}
+
+/// Angles less a number of quarter turns.
+#[derive(Clone, Copy)]
+pub(super) struct Reduced<S: Simd> {
+    /// The number, in the low bits.
+    shifted: Lanes<S>,
+    /// What is left, in [-pi/4, pi/4].
+    rest: Lanes<S>,
+}
+
+/// The first half of [`sin_cos`].
+#[inline(always)]
+pub(super) fn reduced<S: Simd>(x: Lanes<S>) -> Reduced<S> {
+    let splat = |value| Lanes::splat(x.simd, value);
     let shifted = x.mul_add(splat(FRAC_2_PI), splat(ROUNDING));
     let quarters = shifted - splat(ROUNDING);
-    let r = quarters.mul_add(splat(-FRAC_PI_2), x);
-    let r = quarters.mul_add(splat(-FRAC_PI_2_TAIL), r);
-    let (sin, cos) = polynomials(r);
+    let rest = quarters.mul_add(splat(-FRAC_PI_2), x);
+    let rest = quarters.mul_add(splat(-FRAC_PI_2_TAIL), rest);
+    Reduced { shifted, rest }
+}
+
+impl<S: Simd> Reduced<S> {
+    /// The second half of [`sin_cos`].
+    #[inline(always)]
+    pub(super) fn sin_cos(&self) -> Turn<Lanes<S>> {
+        let simd = self.shifted.simd;
+        let (sin, cos) = polynomials(self.rest);
+        in_quarter(simd, self.shifted, sin, cos)
+    }
+}
+
+/// Sine and cosine of an angle from those of what is left of it beyond a number of quarter turns, in the low bits
+/// of `shifted`.
+#[inline(always)]
+fn in_quarter<S: Simd>(simd: S, shifted: Lanes<S>, sin: Lanes<S>, cos: Lanes<S>) -> Turn<Lanes<S>> {
     let bits = simd.transmute_u64s_f64s(shifted.value);
     let splat_bits = |value| simd.splat_u64s(value);
     let mask = |bits: S::u64s, bit: u64, ones: u64| {
@@ -216,11 +254,22 @@ pub(super) fn sin_cos<S: Simd>(x: Lanes<S>) -> Turn<Lanes<S>> {
 /// Sine and cosine on [-pi/4, pi/4].
 #[inline(always)]
 fn polynomials<S: Simd>(r: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
+    let splat = |value| Lanes::splat(r.simd, value);
     let z = r * r;
-    let sin = (z * r).mul_add(horner(z, &SIN), r);
-    // Fused throughout, the last two steps round once each: the result is within one unit in the last place.
-    let cos = horner(z, &COS);
-    (sin, cos)
+    let square = z * z;
+    // Fused, the last steps round once each: the result is within one unit in the last place.
+    let sin = (z * r).mul_add(in_pairs(z, square, &SIN), r);
+    let cos = in_pairs(z, square, &COS).mul_add(z, splat(-0.5));
+    (sin, cos.mul_add(z, splat(1.0)))
+}
+
+/// A polynomial in x, lowest coefficient first, by pairs of terms (Estrin 1960): they do not wait for one another.
+#[inline(always)]
+fn in_pairs<S: Simd>(x: Lanes<S>, square: Lanes<S>, [a, b, c, d, e, f]: &[f64; 6]) -> Lanes<S> {
+    let pair =
+        |low: f64, high: f64| Lanes::splat(x.simd, high).mul_add(x, Lanes::splat(x.simd, low));
+    let upper = pair(*e, *f).mul_add(square, pair(*c, *d));
+    upper.mul_add(square, pair(*a, *b))
 }
 
 /// Whether a mask holds for every lane.

@@ -51,7 +51,7 @@ pub(super) enum Moved<S> {
 }
 
 #[inline(always)]
-fn append_link<C: Column>(
+pub(super) fn append_link<C: Column>(
     frame: &mut Frame<C>,
     link: &LinkShape,
     lift: impl Fn(f64) -> C::Scalar + Copy,
@@ -71,12 +71,9 @@ fn append_link<C: Column>(
                     cos: lift(cos),
                 });
             }
-            if is_length(*d) {
-                frame.shift_z(&lift(*d));
-            }
-            if is_length(*a) {
-                frame.shift_x(&lift(*a));
-            }
+            // Also by zero: asking costs more than the shift.
+            frame.shift_z(&lift(*d));
+            frame.shift_x(&lift(*a));
             match quarters {
                 Some(quarters) => frame.turn_x_quarters(*quarters),
                 None => frame.turn_x(&Turn {
@@ -86,12 +83,6 @@ fn append_link<C: Column>(
             }
         }
     }
-}
-
-/// Whether a length is not zero, asked of its bits: the integer units are idle here, the others are not.
-#[inline(always)]
-fn is_length(value: f64) -> bool {
-    value.to_bits() << 1 != 0
 }
 
 #[inline(always)]

@@ -17,6 +17,8 @@ mod motion;
 mod motion_tables;
 mod orientation;
 mod support;
+mod tracks;
+mod transmission;
 mod urdf;
 mod urdf_errors;
 mod urdf_xacro;

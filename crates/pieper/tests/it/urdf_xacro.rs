@@ -221,7 +221,7 @@ fn mistakes_in_elements() {
         ),
         (
             "<xacro:property name=\"1a\" value=\"\"/>",
-            "2:23: name=\"1a\": a name was expected, not '1a'",
+            "2:23: name=\"1a\": a name without a prefix was expected, not '1a'",
         ),
         (
             "<xacro:property name=\"a\" value=\"1\" default=\"2\"/>",
@@ -281,7 +281,11 @@ fn mistakes_in_elements() {
         ),
         (
             "<xacro:element xacro:name=\"a b\"/>",
-            "2:28: xacro:name=\"a b\": a name was expected, not 'a b'",
+            "2:28: xacro:name=\"a b\": a name without a prefix was expected, not 'a b'",
+        ),
+        (
+            "<xacro:element xacro:name=\"${'li:' + 'nk'}\"/>",
+            "2:28: xacro:name=\"${'li:' + 'nk'}\": a name without a prefix was expected, not 'li:nk'",
         ),
         (
             "<xacro:include filename=\"none.xacro\"/>",

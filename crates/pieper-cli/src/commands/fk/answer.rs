@@ -7,10 +7,12 @@ use pieper::describe::{Form, Robot};
 use pieper::kinematics::{self, AxisDirections, Directions, Jacobian, Measures, Reference};
 use pieper::model::Chain;
 use pieper::spatial::{self, Pose};
+use pieper::transmission::{Ratios, Transmission};
 use serde_json::{Map, Value, json};
 
 use super::joints::Joints;
 use super::{Axes, Method, Shown};
+use crate::commands::motors::Motors;
 use crate::{json, text};
 
 /// Everything that was asked for at one joint vector.
@@ -18,13 +20,25 @@ pub(super) struct Answer {
     pose: Pose,
     frames: Option<Vec<(String, Pose)>>,
     jacobian: Option<(Axes, Jacobian, Option<Measures>)>,
+    /// The joint values, where they were given as motor values or have some; radians and metres.
+    driven: Option<Driven>,
     pub(super) violations: Vec<String>,
+}
+
+/// What an arm with a transmission adds.
+struct Driven {
+    /// The joint values in both units.
+    q: Vec<(f64, bool)>,
+    motors: Motors,
+    /// The Jacobian by motors, if one was asked for; none at a dead point or out of a drive's reach.
+    jacobian: Option<Option<Jacobian>>,
 }
 
 impl Answer {
     pub(super) fn compute(
         robot: &Robot,
         chain: &Chain,
+        drives: Option<&Transmission>,
         joints: &Joints,
         shown: &Shown,
     ) -> Result<Self> {
@@ -48,16 +62,26 @@ impl Answer {
                 Some((axes, jacobian, measures))
             }
         };
+        let by_joints = jacobian.as_ref().map(|(_, jacobian, _)| jacobian);
+        let driven = drives.map(|drives| Driven::compute(chain, drives, q, by_joints));
+        let driven = driven.transpose()?;
+        let mut violations = chain.limit_violations(q);
+        violations.extend(
+            driven
+                .iter()
+                .filter_map(|driven| driven.motors.reason.clone()),
+        );
         Ok(Self {
             pose,
             frames,
             jacobian,
-            violations: chain.limit_violations(q),
+            driven,
+            violations,
         })
     }
 
     /// The fields of a batch's answer.
-    pub(super) fn batch_fields(&self, limits: bool) -> Map<String, Value> {
+    pub(super) fn batch_fields(&self, limits: bool, deg: bool) -> Map<String, Value> {
         let mut fields = Map::new();
         fields.insert("pose".to_owned(), json::pose(&self.pose));
         if let Some(frames) = &self.frames {
@@ -70,6 +94,14 @@ impl Answer {
             fields.insert("jacobian".to_owned(), json::jacobian(jacobian));
             let manipulability = measures.as_ref().map(|measures| measures.manipulability);
             fields.insert("manipulability".to_owned(), json!(manipulability));
+        }
+        if let Some(driven) = &self.driven {
+            fields.insert("q".to_owned(), json!(driven.joints(deg)));
+            fields.extend(driven.motors.fields(deg));
+            if let Some(jacobian) = &driven.jacobian {
+                let jacobian = jacobian.as_ref().map(json::jacobian);
+                fields.insert("motor_jacobian".to_owned(), json!(jacobian));
+            }
         }
         if limits {
             fields.insert("warnings".to_owned(), json!(self.violations));
@@ -85,7 +117,7 @@ impl Answer {
         let q = nalgebra::UnitQuaternion::from_rotation_matrix(&self.pose.rotation);
         let mut document = Map::new();
         document.insert("robot".to_owned(), robot.into());
-        document.extend(self.batch_fields(true));
+        document.extend(self.batch_fields(true, deg));
         let rpy = spatial::to_rpy(&self.pose.rotation).map(angle);
         document.insert("rpy".to_owned(), json!(rpy));
         document.insert("quaternion".to_owned(), json!([q.w, q.i, q.j, q.k]));
@@ -110,12 +142,69 @@ impl Answer {
         let q = [q.w, q.i, q.j, q.k].map(text::number);
         let _ = write!(out, "\nroll, pitch, yaw ({unit})  {}\n", rpy.join("  "));
         let _ = writeln!(out, "quaternion w x y z      {}", q.join("  "));
+        if let Some(driven) = &self.driven {
+            out.push_str(&driven.text(unit, deg));
+        }
         out.push_str(&directions_text(&Directions::of(&self.pose), unit, angle));
         if let Some((axes, jacobian, measures)) = &self.jacobian {
             out.push_str(&jacobian_text(*axes, jacobian, measures.as_ref()));
+            if let Some(Some(jacobian)) = self.driven.as_ref().map(|driven| &driven.jacobian) {
+                out.push_str(&match jacobian {
+                    Some(jacobian) => format!("\nJacobian by motors\n{}", rows_text(jacobian)),
+                    None => "\nno Jacobian by motors: a drive is at its dead point or cannot reach this\n".to_owned(),
+                });
+            }
         }
         for (name, pose) in self.frames.iter().flatten() {
             let _ = write!(out, "\nframe {name}\n{}", matrix(pose));
+        }
+        out
+    }
+}
+
+impl Driven {
+    fn compute(
+        chain: &Chain,
+        drives: &Transmission,
+        q: &[f64],
+        jacobian: Option<&Jacobian>,
+    ) -> Result<Self> {
+        let by_motors = |jacobian: &Jacobian| {
+            let mut ratios = Ratios::zeros(drives.dof());
+            match drives.ratios(q, &mut ratios)? {
+                Ok(()) => ratios.motor_jacobian(jacobian).map(Some),
+                Err(_) => Ok(None),
+            }
+        };
+        let is_angle = chain
+            .variables()
+            .iter()
+            .map(|variable| variable.kind.is_angular());
+        Ok(Self {
+            q: q.iter().copied().zip(is_angle).collect(),
+            motors: Motors::at(drives, q)?,
+            jacobian: jacobian.map(by_motors).transpose()?,
+        })
+    }
+
+    fn joints(&self, deg: bool) -> Vec<f64> {
+        let shown = |&(value, is_angle): &(f64, bool)| match deg && is_angle {
+            true => value.to_degrees(),
+            false => value,
+        };
+        self.q.iter().map(shown).collect()
+    }
+
+    fn text(&self, unit: &str, deg: bool) -> String {
+        let joints = self.joints(deg).into_iter().map(text::number);
+        let row = |name: &str, cells: Vec<String>| [vec![name.to_owned()], cells].concat();
+        let rows = [
+            row("joints", joints.collect()),
+            row("motors", self.motors.cells(deg).collect()),
+        ];
+        let mut out = format!("\njoints and motors ({unit}, m)\n{}", text::table(&rows));
+        if let Some(reason) = &self.motors.reason {
+            let _ = writeln!(out, "  {reason}");
         }
         out
     }
@@ -170,23 +259,13 @@ fn directions_text(directions: &Directions, unit: &str, angle: impl Fn(f64) -> f
 }
 
 fn jacobian_text(axes: Axes, jacobian: &Jacobian, measures: Option<&Measures>) -> String {
-    let names = ["vx", "vy", "vz", "wx", "wy", "wz"];
-    let row = |i: usize| {
-        let values = jacobian
-            .row(i)
-            .iter()
-            .map(|&value| text::number(value))
-            .collect::<Vec<_>>();
-        [names[i].to_owned()].into_iter().chain(values).collect()
-    };
-    let rows: Vec<Vec<String>> = (0..6).map(row).collect();
     let axes = match axes {
         Axes::Base => "base",
         Axes::Tool => "tool",
     };
     let mut out = format!(
         "\nJacobian of the tool point, {axes} axes\n{}",
-        text::table(&rows)
+        rows_text(jacobian)
     );
     let Some(measures) = measures else { return out };
     let number = |value: f64| format!("{value:.6e}");
@@ -211,6 +290,20 @@ fn jacobian_text(axes: Axes, jacobian: &Jacobian, measures: Option<&Measures>) -
         );
     }
     out
+}
+
+fn rows_text(jacobian: &Jacobian) -> String {
+    let names = ["vx", "vy", "vz", "wx", "wy", "wz"];
+    let row = |i: usize| {
+        let values = jacobian
+            .row(i)
+            .iter()
+            .map(|&value| text::number(value))
+            .collect::<Vec<_>>();
+        [names[i].to_owned()].into_iter().chain(values).collect()
+    };
+    let rows: Vec<Vec<String>> = (0..6).map(row).collect();
+    text::table(&rows)
 }
 
 /// Below this smallest singular value an answer says what is being lost.

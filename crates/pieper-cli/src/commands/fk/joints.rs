@@ -2,9 +2,11 @@
 
 use pieper::describe::{Form, Robot};
 use pieper::model::{Chain, Tree};
+use pieper::transmission::Transmission;
 use serde_json::Value;
 
 use crate::batch::shown;
+use crate::commands::motors;
 use crate::error::Failure;
 
 /// Values for the chain, and for the whole tree if the robot has one.
@@ -22,6 +24,68 @@ pub(super) fn from_text(
     text: &str,
     deg: bool,
 ) -> Result<Joints, Failure> {
+    let values = numbers("--q", text)?;
+    from_list(robot, chain, values, deg).map_err(|text| Failure::input(format!("--q: {text}")))
+}
+
+/// From `--motors`: the joint values, or why no joint values belong to them.
+pub(super) fn from_motor_text(
+    robot: &Robot,
+    chain: &Chain,
+    text: &str,
+    deg: bool,
+) -> Result<Result<Joints, String>, Failure> {
+    let values = numbers("--motors", text)?;
+    let joints = from_motors(robot, chain, &robot.transmission()?, values, deg);
+    joints.map_err(|text| Failure::input(format!("--motors: {text}")))
+}
+
+/// From a request's `motors`: as [`from_motor_text`].
+pub(super) fn from_motor_json(
+    robot: &Robot,
+    chain: &Chain,
+    drives: Option<&Transmission>,
+    motors: &Value,
+    deg: bool,
+) -> Result<Joints, String> {
+    let list = motors
+        .as_array()
+        .and_then(|list| list.iter().map(Value::as_f64).collect());
+    let values: Vec<f64> = list.ok_or_else(|| {
+        format!(
+            "\"motors\" = {}: a list of numbers was expected",
+            shown(motors)
+        )
+    })?;
+    match drives {
+        None => from_list(robot, chain, values, deg),
+        Some(drives) => from_motors(robot, chain, drives, values, deg)?,
+    }
+    .map_err(|text| format!("\"motors\": {text}"))
+}
+
+fn from_motors(
+    robot: &Robot,
+    chain: &Chain,
+    drives: &Transmission,
+    mut values: Vec<f64>,
+    deg: bool,
+) -> Result<Result<Joints, String>, String> {
+    for (index, value) in values.iter_mut().enumerate() {
+        if deg && motors::is_angle(drives, index) {
+            *value = value.to_radians();
+        }
+    }
+    let mut q = vec![0.0; chain.dof()];
+    let found = drives.joints(&values, &mut q);
+    match found.map_err(|error| error.to_string())? {
+        Ok(()) => from_list(robot, chain, q, false).map(Ok),
+        Err(answer) => Ok(Err(answer.to_string())),
+    }
+}
+
+/// Numbers separated by commas or spaces.
+fn numbers(flag: &str, text: &str) -> Result<Vec<f64>, Failure> {
     let parts = text
         .split([',', ' '])
         .map(str::trim)
@@ -29,10 +93,10 @@ pub(super) fn from_text(
     let mut values = Vec::new();
     for part in parts {
         let value = part.parse::<f64>().ok().filter(|value| value.is_finite());
-        let text = || Failure::input(format!("--q: {part:?}: a finite number was expected"));
+        let text = || Failure::input(format!("{flag}: {part:?}: a finite number was expected"));
         values.push(value.ok_or_else(text)?);
     }
-    from_list(robot, chain, values, deg).map_err(|text| Failure::input(format!("--q: {text}")))
+    Ok(values)
 }
 
 /// From a request's `q`: a list, or an object of joint names.

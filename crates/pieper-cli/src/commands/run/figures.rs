@@ -2,14 +2,16 @@
 
 use pieper::model::Chain;
 use pieper::motion::State;
+use pieper::motion::{End, Track};
 use pieper_plot::{
-    ArmViews, Figure, Panel, PathMark, PathViews, Series, Space, TimeChart, TimeMark, arm_views,
-    path_views, time_chart,
+    ArmViews, BranchChart, BranchLine, Figure, Panel, PathMark, PathViews, Series, Space,
+    TimeChart, TimeMark, arm_views, branch_chart, path_views, time_chart,
 };
 
+use super::motion::Path;
 use super::progress::Progress;
 use super::recording::Mark;
-use super::{Run, names, skeleton};
+use super::{Run, certificate, names, skeleton};
 use crate::error::Failure;
 
 /// More marks than these are thinned out: their labels would cover what they name.
@@ -42,6 +44,12 @@ pub(super) fn draw(run: &Run, progress: &mut Progress) -> Result<Vec<Drawing>, F
         "Joint values over time; dashed lines mark the reference positions{}.",
         shown(MOST_MOMENTS)
     );
+    if let Some(path) = &run.path {
+        let caption = "Joint values of every branch over the time of the path. A branch ends where it meets another one, \
+            where the path leaves its reach, or at a joint’s limit; crosses mark these ends."
+            .to_owned();
+        add(certificate::FIGURE, caption, branches(run, path))?;
+    }
     add("joints", caption, joints(run))?;
     add(
         "rates",
@@ -150,12 +158,13 @@ fn rates(run: &Run) -> pieper_plot::Result<Figure> {
 /// Rates at every sample; twice at every row, because they may jump there.
 fn rates_of(run: &Run) -> (Vec<f64>, Vec<Vec<f64>>) {
     let (mut times, mut rates, mut state) = (Vec::new(), Vec::new(), State::default());
-    let rows = run.law.times();
+    let rows = &run.rows;
     let mut row = 0;
     for &time in &run.recording.times {
         if rows.get(row) == Some(&time) {
             if row > 0 {
-                run.law.arriving(row, &mut state);
+                let place = run.law.times().partition_point(|&knot| knot < time);
+                run.law.arriving(place, &mut state);
                 times.push(time);
                 rates.push(state.rate.clone());
             }
@@ -169,6 +178,56 @@ fn rates_of(run: &Run) -> (Vec<f64>, Vec<Vec<f64>>) {
         rates.push(state.rate.clone());
     }
     (times, rates)
+}
+
+fn branches(run: &Run, path: &Path) -> pieper_plot::Result<Figure> {
+    let variables = run.chain.variables();
+    let joints = variables.iter().enumerate().map(|(index, variable)| {
+        let unit = if variable.kind.is_angular() {
+            "°"
+        } else {
+            "mm"
+        };
+        (names::joint(index, variable), unit.to_owned())
+    });
+    let line = |times: Vec<f64>, rows: &[Vec<f64>], is_chosen: bool, dies: bool| BranchLine {
+        times,
+        values: (0..run.chain.dof())
+            .map(|joint| {
+                let factor = match variables[joint].kind.is_angular() {
+                    true => 180.0 / std::f64::consts::PI,
+                    false => 1000.0,
+                };
+                rows.iter().map(|row| factor * row[joint]).collect()
+            })
+            .collect(),
+        is_chosen,
+        dies,
+    };
+    let tracks = &path.tracks;
+    // A branch that is outside its limits from the start has a moment, but no course.
+    let has_course = |track: &&Track| track.times.len() > 1 || path.times.len() == 1;
+    let all = tracks.tracks.iter().filter(has_course);
+    let mut lines: Vec<BranchLine> = all
+        .map(|track| {
+            line(
+                track.times.clone(),
+                &track.rows,
+                false,
+                track.end != End::Alive,
+            )
+        })
+        .collect();
+    for leg in &tracks.legs {
+        let (times, rows) = tracks.tracks[leg.track].part(leg.from, leg.to);
+        lines.push(line(times, &rows, true, false));
+    }
+    branch_chart(&BranchChart {
+        title: title(run, "joint values of all branches"),
+        joints: joints.collect(),
+        lines,
+        times: [path.times[0], path.times[path.times.len() - 1]],
+    })
 }
 
 fn arm(run: &Run) -> pieper_plot::Result<Figure> {

@@ -79,7 +79,7 @@ pub(super) fn text(run: &Run) -> String {
 pub(super) fn latex(run: &Run) -> String {
     let mut out = format!(
         "% {}: poses of the tool at the reference positions of {}\n\
-         % Columns n, s, a and p in metres. Needs amsmath; \\input{{matrices}} where it is wanted.\n",
+         % Columns n, s, a and p in metres. Compiles as it is; or \\input{{matrices}} in a document that uses amsmath.\n{ALONE}",
         one_line(&run.robot.name),
         one_line(&run.motion)
     );
@@ -96,8 +96,19 @@ pub(super) fn latex(run: &Run) -> String {
             rows.join(" \\\\\n    ")
         );
     }
+    out.push_str("\n\\pieperend\n");
     out
 }
+
+/// A document of its own, unless one has begun: `\@nodocument` is `\relax` from then on.
+const ALONE: &str = r"\let\pieperend\relax
+\expandafter\ifx\csname @nodocument\endcsname\relax\else
+  \documentclass{article}
+  \usepackage{amsmath}
+  \begin{document}
+  \def\pieperend{\end{document}}
+\fi
+";
 
 fn one_line(text: &str) -> String {
     text.replace(['\n', '\r'], " ")
@@ -114,6 +125,11 @@ fn label(text: &str) -> String {
             '\\' => out.push_str("\\textbackslash{}"),
             '~' => out.push_str("\\textasciitilde{}"),
             '^' => out.push_str("\\textasciicircum{}"),
+            '<' => out.push_str("\\textless{}"),
+            '>' => out.push_str("\\textgreater{}"),
+            '|' => out.push_str("\\textbar{}"),
+            // Beyond Latin letters a plain LaTeX has no glyphs, and stops.
+            c if c > '\u{17f}' => out.push('?'),
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => out.extend(['\\', c]),
             c if c.is_control() => out.push(' '),
             c => out.push(c),

@@ -26,12 +26,12 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// Samples a motion. `names` are the rows that are reference positions; where no row is, the first and the
-    /// last one are.
+    /// Samples a motion. `names` are the moments that are reference positions, each among `times`; where none is, the
+    /// first and the last moment are.
     pub(super) fn make(
         chain: &Chain,
         law: &Law,
-        names: Vec<(usize, String)>,
+        names: &[(f64, String)],
         times: Vec<f64>,
         progress: &mut Progress,
     ) -> Result<Self, Failure> {
@@ -43,16 +43,14 @@ impl Recording {
             poses.push(kinematics::tool_pose(chain, &state.position)?);
             joints.push(state.position.clone());
         }
-        let mark = |(row, label): (usize, String)| {
-            // Every row's time is one of the samples.
-            let sample = times.partition_point(|&time| time < law.times()[row]);
-            Mark { label, sample }
+        let mark = |(moment, label): &(f64, String)| Mark {
+            label: label.clone(),
+            sample: times.partition_point(|time| time < moment),
         };
-        let names = match names.is_empty() {
-            false => names,
-            true => ends(law.times().len()),
+        let marks = match names.is_empty() {
+            false => names.iter().map(mark).collect(),
+            true => ends(times.len()),
         };
-        let marks = names.into_iter().map(mark).collect();
         progress.advance();
         Ok(Self {
             times,
@@ -86,8 +84,12 @@ impl Recording {
     }
 }
 
-fn ends(rows: usize) -> Vec<(usize, String)> {
-    let mut ends = vec![(0, "start".to_owned()), (rows - 1, "end".to_owned())];
-    ends.dedup_by_key(|(row, _)| *row);
+fn ends(samples: usize) -> Vec<Mark> {
+    let mark = |label: &str, sample| Mark {
+        label: label.to_owned(),
+        sample,
+    };
+    let mut ends = vec![mark("start", 0), mark("end", samples - 1)];
+    ends.dedup_by_key(|mark| mark.sample);
     ends
 }

@@ -7,7 +7,7 @@ use pieper_plot::{Matrix, Report, Section, Table};
 
 use super::figures::Drawing;
 use super::recording::Mark;
-use super::{Run, matrices, names};
+use super::{Run, certificate, matrices, names};
 use crate::commands::info::table_rows;
 
 /// The name of the file.
@@ -26,13 +26,16 @@ pub(super) fn html(run: &Run, drawn: &[Drawing]) -> String {
             format!("{} s", names::trimmed(run.recording.duration(), 3)),
         )
         .fact("Reference positions", run.recording.marks.len().to_string())
-        .fact("Profile", run.law.profile().name())
+        .fact("Profile", run.profile.name())
         .fact(
             "Samples",
             format!("{} at {} per second", run.recording.times.len(), run.rate),
         );
     for (key, value) in &run.robot.datasheet {
         report = report.fact(capital(key), value);
+    }
+    if let Some(path) = &run.path {
+        report = report.section(certificate::section(run, path, drawn));
     }
     if !run.warnings.is_empty() {
         report = report.section(limits(run));
@@ -125,6 +128,10 @@ fn thinned(run: &Run, shown: usize) -> String {
 }
 
 fn poses(run: &Run) -> Section {
+    let note = run
+        .note
+        .as_deref()
+        .map_or(String::new(), |note| format!(" {note}"));
     let marks = run.recording.some_marks(MOST_MATRICES);
     let name = names::transform(&run.chain);
     let matrix = |mark: &&Mark| {
@@ -133,7 +140,7 @@ fn poses(run: &Run) -> Section {
         Matrix::of_numbers(format!("{name}({})", mark.label), note, &rows, 4)
     };
     let text = format!(
-        "Columns n, s, a (the tool’s axes) and p (its point, in metres) in the frame of the base.{}",
+        "Columns n, s, a (the tool’s axes) and p (its point, in metres) in the frame of the base.{}{note}",
         thinned(run, marks.len())
     );
     Section::new("Poses at the reference positions")

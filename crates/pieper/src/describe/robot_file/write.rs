@@ -2,12 +2,15 @@
 
 use std::fmt::Write as _;
 
+use super::transmission::half_turn;
 use crate::describe::dh::{DhRow, FrameExpr, JointExpr, Moves};
+use crate::describe::drives::{AngleExpr, CouplingExpr, GearExpr, MotorExpr};
 use crate::describe::expr::{Expr, Unit, with_variable};
 use crate::describe::robot::{Form, Robot};
 use crate::describe::screws::Screw;
 use crate::error::{Error, Result};
 use crate::model::JointKind;
+use crate::transmission::MotorKind;
 
 impl Robot {
     /// The robot as a robot file, readable by [`Robot::from_toml`] with the same numbers.
@@ -45,7 +48,10 @@ impl Robot {
                 Form::Tree { .. } => Ok(()),
             }?;
             write_frame(out, "base", base)?;
-            write_frame(out, "tool", tool)
+            write_frame(out, "tool", tool)?;
+            self.motors
+                .iter()
+                .try_for_each(|motor| write_motor(out, motor))
         }))
     }
 
@@ -136,6 +142,90 @@ fn write_frame(out: &mut String, name: &str, frame: &FrameExpr) -> std::fmt::Res
         list(&frame.xyz),
         list(&frame.rpy)
     )
+}
+
+fn write_motor(out: &mut String, motor: &MotorExpr) -> std::fmt::Result {
+    let number = motor.place + 1;
+    let kind = match &motor.coupling {
+        CouplingExpr::Linear { .. } => MotorKind::Linear,
+        CouplingExpr::FourBar { .. } => MotorKind::FourBar,
+        CouplingExpr::Servo { .. } => MotorKind::Servo,
+    };
+    writeln!(out, "\n[[transmission]]\nkind = {}", quoted(kind.name()))?;
+    writeln!(out, "motor = \"m{number}\"")?;
+    if motor.name != format!("m{number}") {
+        writeln!(out, "name = {}", quoted(&motor.name))?;
+    }
+    match &motor.coupling {
+        CouplingExpr::Linear { joints, gear } => {
+            let joint =
+                |(joint, factor): &(usize, Expr)| format!("q{} = {}", joint + 1, value(factor));
+            let joints: Vec<String> = joints.iter().map(joint).collect();
+            writeln!(out, "joints = {{ {} }}", joints.join(", "))?;
+            write_gear(out, gear)
+        }
+        CouplingExpr::FourBar {
+            lengths,
+            assembly,
+            rocker_angle,
+            frame_angle,
+            gear,
+        } => {
+            for (key, length) in ["crank", "coupler", "rocker", "frame"]
+                .iter()
+                .zip(lengths.iter())
+            {
+                writeln!(out, "{key} = {}", value(length))?;
+            }
+            writeln!(out, "assembly = {}", quoted(assembly.name()))?;
+            writeln!(out, "rocker_angle = {}", angle(rocker_angle))?;
+            if let Some(frame) = frame_angle {
+                writeln!(out, "frame_angle = {}", angle(frame))?;
+            }
+            write_gear(out, gear)
+        }
+        CouplingExpr::Servo {
+            joint,
+            centre,
+            sign,
+            ratio,
+            window,
+        } => {
+            writeln!(out, "joint = \"q{}\"", joint + 1)?;
+            if let Some(centre) = centre {
+                writeln!(out, "centre = {}", value(centre))?;
+            }
+            if *sign < 0.0 {
+                writeln!(out, "sign = -1")?;
+            }
+            write_unless(out, "ratio", ratio, 1.0)?;
+            match *window == half_turn() {
+                true => Ok(()),
+                false => writeln!(out, "window = {}", list(window)),
+            }
+        }
+    }
+}
+
+fn write_gear(out: &mut String, gear: &GearExpr) -> std::fmt::Result {
+    write_unless(out, "ratio", &gear.ratio, 1.0)?;
+    write_unless(out, "offset", &gear.offset, 0.0)?;
+    match &gear.limits {
+        None => Ok(()),
+        Some(limits) => writeln!(out, "limits = {}", list(limits)),
+    }
+}
+
+fn write_unless(out: &mut String, key: &str, expr: &Expr, default: f64) -> std::fmt::Result {
+    match *expr == Expr::number(default) {
+        true => Ok(()),
+        false => writeln!(out, "{key} = {}", value(expr)),
+    }
+}
+
+fn angle(angle: &AngleExpr) -> String {
+    let variable = format!("q{}", angle.joint + 1);
+    quoted(&with_variable(&angle.offset, &variable, angle.sign).to_string())
 }
 
 /// A plain number as a TOML number, anything else as a string.

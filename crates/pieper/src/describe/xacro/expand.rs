@@ -140,15 +140,17 @@ impl Expander<'_> {
         Ok(())
     }
 
-    /// The name of an element or attribute that is made.
+    /// The name of an element or attribute that is made: without a prefix, whose meaning the file may not know.
     fn written_name(&mut self, attribute: &Attribute, scope: usize) -> Result<String> {
         let name = self.attribute(attribute, scope)?.text();
-        let part = |c: char| c.is_alphanumeric() || "_-.:".contains(c);
+        let part = |c: char| c.is_alphanumeric() || "_-.".contains(c);
         let starts = name.starts_with(|c: char| c.is_alphabetic() || c == '_');
         if starts && !name.starts_with("xmlns") && name.chars().all(part) {
             Ok(name)
         } else {
-            Err(attribute.error(format!("a name was expected, not '{name}'")))
+            Err(attribute.error(format!(
+                "a name without a prefix was expected, not '{name}'"
+            )))
         }
     }
 
@@ -205,7 +207,9 @@ impl Expander<'_> {
         let attribute = element.required("name")?;
         let name = self.attribute(attribute, scope)?.text();
         if !is_name(&name) || name.starts_with("__") {
-            return Err(attribute.error(format!("a name was expected, not '{name}'")));
+            return Err(attribute.error(format!(
+                "a name without a prefix was expected, not '{name}'"
+            )));
         }
         let (value, default) = (element.attribute("value"), element.attribute("default"));
         let remove = self.flag(element, "remove", false, scope)?;

@@ -1,4 +1,4 @@
-//! Several eliminations, until two agree.
+//! Several eliminations, until two agree and one of them had no doubts.
 
 use pulp::Simd;
 
@@ -7,14 +7,14 @@ use super::pool::{CAPACITY, MAX_ROOTS, Pool};
 use super::siblings;
 use super::single::Target;
 use super::tolerances::TOLERANCES;
+use super::trial::MOST;
 use super::{Completeness, General, Root, Roots};
 
-/// Eliminations run at most.
-pub(super) const MOST: usize = 12;
-/// Eliminations that must agree on an empty set: of structured arms at right-angle poses two may agree on nothing.
-pub(super) const LEAST_EMPTY: usize = 5;
+/// Eliminations run at least to say that there is no root: of structured arms at right-angle poses two may agree on nothing.
+pub(super) const LEAST_EMPTY: usize = 3;
 
-/// Runs eliminations in the arm's order; the evidence of completeness is that one more finds exactly what is there.
+/// Runs eliminations in the arm's order. The evidence of completeness is that two of them found all that is there, and that
+/// one of the two saw nothing drown in its noise.
 #[inline(always)]
 pub(super) fn run<S: Simd>(
     simd: S,
@@ -25,39 +25,33 @@ pub(super) fn run<S: Simd>(
 ) -> Completeness {
     let mut pool = Pool::new();
     let mut sigma = [0.0; CAPACITY];
-    let mut measured = 0;
-    let mut run = 0;
-    let mut agreed = false;
-    let (mut once, mut twice, mut quiet) = (0_u64, 0_u64, 0);
+    let (mut measured, mut run) = (0, 0);
+    let (mut agreed, mut near_miss) = (false, false);
+    let mut reports = [Report::default(); MOST];
     for elimination in general.eliminations.iter().take(MOST) {
         let before = pool.count;
         pool.start();
-        elimination.run(simd, &general.tables, goal, target, &mut pool);
+        let doubt = elimination.run(simd, &general.tables, goal, target, &mut pool);
+        near_miss |= doubt.near_miss;
+        reports[run] = Report {
+            hit: pool.hit,
+            clear: !doubt.drowned,
+        };
         run += 1;
-        (once, twice) = (once | pool.hit, twice | (once & pool.hit));
-        quiet = if pool.count == before { quiet + 1 } else { 0 };
         // A near-miss in one elimination may be two roots in another.
-        let least = general.least + usize::from(pool.unsure);
-        if run < least || (pool.count == 0 && run < LEAST_EMPTY) {
+        if run < general.least + usize::from(near_miss) {
             continue;
         }
         siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
-        let merged = pool.merge(&mut sigma);
-        measured = pool.count;
-        if merged {
-            (once, twice) = (0, 0);
+        if pool.merge(&mut sigma) {
+            // The numbers of the roots have changed.
+            reports = [Report::default(); MOST];
+            reports[run - 1].hit = pool.hit;
+            reports[run - 1].clear = !doubt.drowned;
         }
-        // Copies of a double root and members of a family say nothing: they may be new every time.
-        let singular = pool.mask(&sigma, |s| s < TOLERANCES.doubles);
-        let known = if merged { u64::MAX } else { (1 << before) - 1 };
-        let regular = pool.mask(&sigma, |s| s >= TOLERANCES.doubles);
-        let nothing_new = regular & !(pool.hit & known) == 0;
-        agreed = if singular == 0 {
-            let seen_twice = !merged && regular & !twice == 0 && quiet >= QUIET;
-            (nothing_new || seen_twice) && pool.count.is_multiple_of(2)
-        } else {
-            nothing_new && run >= least + EXTRA_SINGULAR
-        };
+        measured = pool.count;
+        agreed = agree(&pool, &sigma, &reports[..run], pool.count > before)
+            && (run >= general.least + EXTRA_SINGULAR || singular(&pool, &sigma) == 0);
         if agreed {
             break;
         }
@@ -67,7 +61,7 @@ pub(super) fn run<S: Simd>(
         siblings::search(simd, goal, &mut pool, &mut sigma);
     }
     pool.merge(&mut sigma);
-    let singular = pool.mask(&sigma, |s| s < TOLERANCES.doubles) != 0;
+    let singular = singular(&pool, &sigma) != 0;
     write(general, &pool, &sigma, out);
     let eliminations = run as u8;
     let whole = pool.count <= MAX_ROOTS && pool.count.is_multiple_of(2);
@@ -80,8 +74,36 @@ pub(super) fn run<S: Simd>(
     }
 }
 
-/// Where eliminations differ: so many in a row that add nothing agree, too, if every root was found twice by then.
-const QUIET: usize = 3;
+/// The singular roots: copies of a double root, members of a family. There may be new ones every time, they say nothing.
+fn singular(pool: &Pool, sigma: &[f64; CAPACITY]) -> u64 {
+    pool.mask(sigma, |s| s < TOLERANCES.doubles)
+}
+
+/// Whether the eliminations agree on the regular roots.
+fn agree(pool: &Pool, sigma: &[f64; CAPACITY], reports: &[Report], grown: bool) -> bool {
+    let regular = pool.mask(sigma, |s| s >= TOLERANCES.doubles);
+    let (mut whole, mut clear) = (0, 0);
+    for report in reports {
+        if regular & !report.hit == 0 {
+            whole += 1;
+            clear += usize::from(report.clear);
+        }
+    }
+    if pool.count == 0 {
+        return clear >= 2 && reports.len() >= LEAST_EMPTY;
+    }
+    let settled = singular(pool, sigma) != 0 || (pool.count.is_multiple_of(2) && !grown);
+    settled && whole >= 2 && clear >= 1
+}
+
+/// What one elimination says.
+#[derive(Clone, Copy, Default)]
+struct Report {
+    /// The roots that it found.
+    hit: u64,
+    /// Whether it rose above its noise everywhere.
+    clear: bool,
+}
 
 /// Eliminations more than usual where a root is singular: its number says nothing there.
 const EXTRA_SINGULAR: usize = 2;
@@ -92,7 +114,13 @@ fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Root
     for (index, root) in out.list[..out.count].iter_mut().enumerate() {
         let point = &pool.points[index];
         *root = Root {
-            q: std::array::from_fn(|joint| point[6 + joint].atan2(point[joint])),
+            q: std::array::from_fn(|joint| {
+                if general.arm.slides[joint] {
+                    point[6 + joint] / general.arm.scale
+                } else {
+                    point[6 + joint].atan2(point[joint])
+                }
+            }),
             residual: pool.errors[index] / general.arm.scale.min(1.0),
             sigma: sigma[index],
         };

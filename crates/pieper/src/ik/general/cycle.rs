@@ -74,6 +74,11 @@ impl Case {
         })
     }
 
+    /// Whether it eliminates an arm of which these joints slide: the kept joint and the one opposite must turn.
+    pub(super) fn takes(&self, slides: &[bool; 6]) -> bool {
+        !slides[self.kept] && !slides[(self.kept + 3) % 6]
+    }
+
     /// The index of the link that holds the target.
     pub(super) fn place(&self) -> usize {
         match self.slot {

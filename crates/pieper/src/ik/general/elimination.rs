@@ -37,6 +37,8 @@ const PAD: usize = 8;
 #[derive(Clone, Debug)]
 pub(super) struct Linear {
     slot: Slot,
+    /// Whether the outer and the inner of d and e slide.
+    sliding: [bool; 2],
     /// The rows S before the target acts on them.
     rows: Vec<Line>,
     /// T: 15 rows of `width` numbers.
@@ -48,19 +50,28 @@ pub(super) struct Linear {
     constant: [f64; ROWS],
     /// The motion that perturbs the target's link.
     perturbed: Pose,
+    /// Whether d and e have exchanged their roles.
+    swapped: bool,
 }
 
 impl Linear {
     /// Prepares the elimination `case` for the loop's links, the target's being ignored; `links` are perturbed by
     /// up to `delta` on the way.
-    pub(super) fn new(case: Case, links: &[Pose; 6], delta: f64, random: &mut Random) -> Self {
+    pub(super) fn new(
+        case: Case,
+        links: &[Pose; 6],
+        slides: &[bool; 6],
+        delta: f64,
+        random: &mut Random,
+    ) -> Self {
+        let slides = case.joints().map(|joint| slides[joint]);
         let mut of = case.links(links);
         for link in &mut of {
             *link *= random.motion(delta);
         }
         let perturbed = random.motion(delta);
-        let (nulls, constant) = null_space(&of, case.slot, random);
-        let (left, right) = halves(&of, case.place(), nulls);
+        let (nulls, constant) = null_space(&of, &slides, case.slot, random);
+        let (left, right) = halves(&of, &slides, case.place(), nulls);
         let (rows, columns) = match case.slot {
             Slot::B => (left, right),
             _ => (right, left),
@@ -74,12 +85,14 @@ impl Linear {
         }
         Self {
             slot: case.slot,
+            sliding: [slides[3], slides[4]],
             rows,
             fixed,
             width,
             places: places_of(case.slot, width, false),
             constant,
             perturbed,
+            swapped: false,
         }
     }
 
@@ -119,12 +132,47 @@ impl Linear {
         for k in 0..ROWS {
             matrix[0][0][k] -= self.constant[k];
         }
+        if self.sliding != [false; 2] {
+            self.half_angles(&mut matrix);
+        }
         matrix
+    }
+
+    /// From powers of a slide x to harmonics of twice its arc tangent, but for a factor of 1 + x^2: `1 = (1 + cos)/2`,
+    /// `x = sin/2`, `x^2 = (1 - cos)/2`.
+    #[cold]
+    fn half_angles(&self, matrix: &mut Harmonics) {
+        let turned =
+            |[one, x, square]: [f64; 3]| [0.5 * (one + square), 0.5 * (one - square), 0.5 * x];
+        for of_c in matrix {
+            for k in 0..HARMONICS * ROWS {
+                if self.sliding[0] {
+                    let powers = [of_c[0][k], of_c[1][k], of_c[2][k]];
+                    for (outer, value) in turned(powers).into_iter().enumerate() {
+                        of_c[outer][k] = value;
+                    }
+                }
+            }
+            for block in of_c {
+                for i in 0..ROWS {
+                    if self.sliding[1] {
+                        let powers = [block[i], block[ROWS + i], block[2 * ROWS + i]];
+                        for (inner, value) in turned(powers).into_iter().enumerate() {
+                            block[inner * ROWS + i] = value;
+                        }
+                    }
+                }
+            }
+        }
     }
 
     /// Exchanges the roles of d and e.
     pub(super) fn swap(&mut self, swapped: bool) {
         self.places = places_of(self.slot, self.width, swapped);
+        if swapped != self.swapped {
+            self.sliding.reverse();
+            self.swapped = swapped;
+        }
     }
 }
 
@@ -162,15 +210,20 @@ fn places_of(
 }
 
 /// N as rows, and `N q0`, q0 the constant part of the half with joints a and b.
-fn null_space(of: &[Pose; 6], slot: Slot, random: &mut Random) -> (Vec<Line>, [f64; ROWS]) {
+fn null_space(
+    of: &[Pose; 6],
+    slides: &[bool; 6],
+    slot: Slot,
+    random: &mut Random,
+) -> (Vec<Line>, [f64; ROWS]) {
     let motion = |pose: &Pose| line::motion(&Rigid::of(pose));
     let start = line::act(&motion(&of[5].inverse()), &line::Z_AXIS);
     // The turns are by -a and -b: only the span of the columns matters, so the sign may be dropped.
-    let mut terms: Vec<Line> = line::harmonics(&start).to_vec();
+    let mut terms: Vec<Line> = line::harmonics(&start, slides[0]).to_vec();
     let la = motion(&of[0].inverse());
     terms = terms
         .iter()
-        .flat_map(|term| line::harmonics(&line::act(&la, term)))
+        .flat_map(|term| line::harmonics(&line::act(&la, term), slides[1]))
         .collect();
     if slot != Slot::B {
         let lb = motion(&of[1].inverse());
@@ -240,12 +293,20 @@ fn mixed(free: &[Line], random: &mut Random) -> Vec<Line> {
 
 /// What stands left and right of the target's link, as lines with a harmonic index each (the last joint fastest; for
 /// the left the row of N is fastest).
-fn halves(of: &[Pose; 6], target: usize, nulls: Vec<Line>) -> (Vec<Line>, Vec<Line>) {
+fn halves(
+    of: &[Pose; 6],
+    slides: &[bool; 6],
+    target: usize,
+    nulls: Vec<Line>,
+) -> (Vec<Line>, Vec<Line>) {
     let motion = |place: usize| line::motion(&Rigid::of(&of[place]));
     let mut left = nulls;
     for place in 2..=target {
         // The harmonics of one joint more become the slower index of the rows.
-        let split: Vec<[Line; 3]> = left.iter().map(line::row_harmonics).collect();
+        let split: Vec<[Line; 3]> = left
+            .iter()
+            .map(|row| line::row_harmonics(row, slides[place]))
+            .collect();
         left = split
             .chunks(ROWS)
             .flat_map(|block| (0..3).flat_map(move |h| block.iter().map(move |parts| parts[h])))
@@ -259,7 +320,10 @@ fn halves(of: &[Pose; 6], target: usize, nulls: Vec<Line>) -> (Vec<Line>, Vec<Li
     for place in (target + 1..=4).rev() {
         let d = motion(place);
         right = right.iter().map(|term| line::act(&d, term)).collect();
-        let split: Vec<[Line; 3]> = right.iter().map(line::harmonics).collect();
+        let split: Vec<[Line; 3]> = right
+            .iter()
+            .map(|term| line::harmonics(term, slides[place]))
+            .collect();
         right = (0..3)
             .flat_map(|h| split.iter().map(move |parts| parts[h]))
             .collect();

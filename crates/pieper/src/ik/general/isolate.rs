@@ -19,6 +19,8 @@ pub(super) struct Candidates {
     pub(super) count: usize,
     /// Some of them are near-misses: points beside which there may be two roots or none.
     pub(super) unsure: bool,
+    /// Noise may hide roots, or make some up.
+    pub(super) drowned: bool,
     pub(super) arc: [u8; CANDIDATES],
     /// Offsets from the arc's middle, radians; equal for a point.
     pub(super) low: [f64; CANDIDATES],
@@ -34,6 +36,7 @@ impl Candidates {
         Self {
             count: 0,
             unsure: false,
+            drowned: false,
             arc: [0; CANDIDATES],
             low: [0.0; CANDIDATES],
             high: [0.0; CANDIDATES],
@@ -73,6 +76,7 @@ fn bernstein<S: Simd>(
     polynomial: &Trigonometric,
     out: &mut [[f64; ARCS]; BERNSTEIN],
     changes: &mut [f64; ARCS],
+    least: &mut [f64; ARCS],
 ) {
     let zero = Lane::splat(simd, 0.0);
     let one = Lane::splat(simd, 1.0);
@@ -97,15 +101,17 @@ fn bernstein<S: Simd>(
             list[i] = symmetric + opposite;
             list[BERNSTEIN - 1 - i] = symmetric - opposite;
         }
-        let mut count = zero;
+        let (mut count, mut smallest) = (zero, list[0].abs());
         for i in 0..BERNSTEIN {
             list[i].store(&mut out[i], register);
+            smallest = smallest.min(list[i].abs());
             if i > 0 {
                 let change = (list[i - 1] * list[i]).less(zero);
                 count = count + change.pick(one, zero);
             }
         }
         count.store(changes, register);
+        smallest.store(least, register);
     }
 }
 
@@ -115,13 +121,23 @@ pub(super) fn isolate<S: Simd>(
     simd: S,
     tables: &Tables,
     polynomial: &Trigonometric,
+    noise: f64,
     out: &mut Candidates,
 ) {
     let mut coefficients = [[0.0; ARCS]; BERNSTEIN];
     let mut changes = [0.0; ARCS];
-    bernstein(simd, tables, polynomial, &mut coefficients, &mut changes);
+    let mut least = [0.0; ARCS];
+    bernstein(
+        simd,
+        tables,
+        polynomial,
+        &mut coefficients,
+        &mut changes,
+        &mut least,
+    );
     for (arc, &changes) in changes.iter().enumerate() {
         if changes == 0.0 {
+            out.drowned |= least[arc] < TOLERANCES.drowned * noise;
             continue;
         }
         if changes == 1.0 {
@@ -132,6 +148,7 @@ pub(super) fn isolate<S: Simd>(
             Arc {
                 tables,
                 polynomial,
+                noise,
                 index: arc,
             }
             .subdivide(list, out);
@@ -143,6 +160,7 @@ pub(super) fn isolate<S: Simd>(
 struct Arc<'a> {
     tables: &'a Tables,
     polynomial: &'a Trigonometric,
+    noise: f64,
     index: usize,
 }
 
@@ -172,7 +190,7 @@ impl Arc<'_> {
             let piece = stack[depth];
             let width = piece.high - piece.low;
             match sign_changes(&piece.list) {
-                0 => {}
+                0 => self.touch(&piece, &mut proposed, out),
                 1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
                 2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
                 _ if width < TOLERANCES.least_width || depth + 2 > DEPTH => {
@@ -184,6 +202,26 @@ impl Arc<'_> {
                     depth += 2;
                 }
             }
+        }
+    }
+
+    /// No root, unless the polynomial is so small there that noise may hide some: then the point where it is smallest is
+    /// proposed, once in an arc.
+    fn touch(&self, piece: &Piece, proposed: &mut bool, out: &mut Candidates) {
+        let (mut place, mut least) = (0, f64::INFINITY);
+        for (index, value) in piece.list.iter().enumerate() {
+            if value.abs() < least {
+                (place, least) = (index, value.abs());
+            }
+        }
+        if least >= TOLERANCES.drowned * self.noise {
+            return;
+        }
+        out.drowned = true;
+        if !*proposed {
+            *proposed = true;
+            let share = place as f64 / (BERNSTEIN - 1) as f64;
+            out.push_point(self.index, share.mul_add(piece.high - piece.low, piece.low));
         }
     }
 
@@ -215,6 +253,7 @@ impl Arc<'_> {
             out.push(self.index, (at, piece.high), (values[0], at_high));
             return true;
         }
+        out.drowned |= values[0].abs() < TOLERANCES.drowned * self.noise;
         let imaginary = (2.0 * values[0] / values[2]).abs().sqrt();
         if imaginary < TOLERANCES.near_miss && !*proposed {
             *proposed = true;
@@ -285,7 +324,7 @@ mod tests {
     impl pulp::WithSimd for Isolate<'_> {
         type Output = ();
         fn with_simd<S: Simd>(self, simd: S) {
-            isolate(simd, self.0, self.1, self.2);
+            isolate(simd, self.0, self.1, 0.0, self.2);
         }
     }
 
@@ -302,6 +341,7 @@ mod tests {
                 let arc = Arc {
                     tables: &tables,
                     polynomial: &polynomial,
+                    noise: 0.0,
                     index: k / 256,
                 };
                 arc.values(((k % 256) as f64 / 128.0 - 1.0) * HALF)[0]

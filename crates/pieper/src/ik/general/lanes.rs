@@ -7,6 +7,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
+use crate::kinematics::lanes::{magnitude, negative};
+
 /// One register of doubles.
 #[derive(Clone, Copy)]
 pub(super) struct Lane<S: Simd> {
@@ -65,6 +67,15 @@ impl<S: Simd> Lane<S> {
         Self { value, ..self }
     }
 
+    /// `self * factor + addend`, rounded once whatever the processor.
+    #[inline(always)]
+    pub(super) fn fused(self, factor: Self, addend: Self) -> Self {
+        let value = self
+            .simd
+            .mul_add_f64s(self.value, factor.value, addend.value);
+        Self { value, ..self }
+    }
+
     /// `addend - self * factor`.
     #[inline(always)]
     pub(super) fn subtract_product(self, factor: Self, from: Self) -> Self {
@@ -76,7 +87,7 @@ impl<S: Simd> Lane<S> {
 
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
-        let value = self.simd.abs_f64s(self.value);
+        let value = magnitude(self.simd, self.value);
         Self { value, ..self }
     }
 
@@ -135,6 +146,28 @@ impl<S: Simd> Mask<S> {
     }
 
     #[inline(always)]
+    pub(super) fn or(self, other: Self) -> Self {
+        let value = self.simd.or_m64s(self.value, other.value);
+        Self { value, ..self }
+    }
+
+    /// Where it holds and the other does not.
+    #[inline(always)]
+    pub(super) fn and_not(self, other: Self) -> Self {
+        let value = self
+            .simd
+            .and_m64s(self.value, self.simd.not_m64s(other.value));
+        Self { value, ..self }
+    }
+
+    /// Whether it holds in some lane.
+    #[inline(always)]
+    pub(super) fn any(self) -> bool {
+        let (one, zero) = (Lane::splat(self.simd, 1.0), Lane::splat(self.simd, 0.0));
+        self.pick(one, zero).largest() > 0.0
+    }
+
+    #[inline(always)]
     pub(super) fn and(self, other: Self) -> Self {
         let value = self.simd.and_m64s(self.value, other.value);
         Self { value, ..self }
@@ -181,7 +214,7 @@ impl<S: Simd> Neg for Lane<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        let value = self.simd.neg_f64s(self.value);
+        let value = negative(self.simd, self.value);
         Self { value, ..self }
     }
 }
@@ -206,6 +239,41 @@ impl<S: Simd> Turn<S> {
             sin: -self.sin,
             ..self
         }
+    }
+
+    /// A sliding joint is at the value that is kept in place of the sine.
+    #[inline(always)]
+    pub(super) fn slid(at: Lane<S>) -> Self {
+        Self {
+            cos: at.constant(1.0),
+            sin: at,
+        }
+    }
+
+    /// Moved on by `by`, whatever kind of joint it is.
+    #[inline(always)]
+    pub(super) fn moved(self, by: Lane<S>, slides: bool) -> Self {
+        if slides {
+            Self::slid(self.sin + by)
+        } else {
+            self.advanced(by)
+        }
+    }
+
+    /// A point moved about z, or along it.
+    #[inline(always)]
+    pub(super) fn carry(self, p: Vector<S>, slides: bool) -> Vector<S> {
+        if slides {
+            [p[0], p[1], p[2] + self.sin]
+        } else {
+            self.about_z(p)
+        }
+    }
+
+    /// A direction turned about z, if the joint turns.
+    #[inline(always)]
+    pub(super) fn rotate(self, v: Vector<S>, slides: bool) -> Vector<S> {
+        if slides { v } else { self.about_z(v) }
     }
 
     /// Turned on by `by` radians, to fifth order in it: Newton's steps need no more, and no division.
@@ -281,6 +349,17 @@ impl Rigid {
     pub(super) fn column(&self, j: usize) -> [f64; 3] {
         let [x, y, z] = &self.rotation;
         [x[j], y[j], z[j]]
+    }
+
+    /// The shift, seen from behind the rotation.
+    #[inline(always)]
+    pub(super) fn unrotated_shift(&self) -> [f64; 3] {
+        let (rotation, t) = (&self.rotation, &self.shift);
+        let mut out = [0.0; 3];
+        for j in 0..3 {
+            out[j] = rotation[0][j] * t[0] + rotation[1][j] * t[1] + rotation[2][j] * t[2];
+        }
+        out
     }
 
     /// The rotation of a direction in lanes.

@@ -31,8 +31,50 @@ pub(super) const Z_AXIS: Line = {
 /// Where the pairs (x, y) begin that a turn about z mixes.
 const PAIRS: [usize; 4] = [P, L, M, R];
 
-/// The parts of a line, or of a row that multiplies lines, that go with 1, cos q and sin q in `D(Rz(q)) v`.
-pub(super) fn harmonics(line: &Line) -> [Line; 3] {
+/// The parts of a line that go with 1, cos q and sin q in `D(Rz(q)) v`, or with 1, q and q^2 if the joint slides along z.
+pub(super) fn harmonics(line: &Line, slides: bool) -> [Line; 3] {
+    if slides {
+        slide_powers(line)
+    } else {
+        turn_harmonics(line)
+    }
+}
+
+/// The same for a row n: the parts of `n D`.
+pub(super) fn row_harmonics(row: &Line, slides: bool) -> [Line; 3] {
+    if slides {
+        return slide_powers_of_row(row);
+    }
+    let [still, cos, sin] = turn_harmonics(row);
+    [still, cos, sin.map(|entry| -entry)]
+}
+
+/// A shift by q along z: `p' = p + q z`, `p'.p' = pp + 2 q p_z + q^2`, `p'.l = pl + q l_z`, `m' = m + q z x l`,
+/// `r' = r - 2 q (z x m + pl z) + q^2 (l - 2 l_z z)`.
+fn slide_powers(v: &Line) -> [Line; 3] {
+    let (mut first, mut second) = ([0.0; SIZE], [0.0; SIZE]);
+    first[P + 2] = v[W];
+    first[PP] = 2.0 * v[P + 2];
+    first[PL] = v[L + 2];
+    (first[M], first[M + 1]) = (-v[L + 1], v[L]);
+    (first[R], first[R + 1], first[R + 2]) = (2.0 * v[M + 1], -2.0 * v[M], -2.0 * v[PL]);
+    second[PP] = v[W];
+    (second[R], second[R + 1], second[R + 2]) = (v[L], v[L + 1], -v[L + 2]);
+    [*v, first, second]
+}
+
+fn slide_powers_of_row(n: &Line) -> [Line; 3] {
+    let (mut first, mut second) = ([0.0; SIZE], [0.0; SIZE]);
+    first[W] = n[P + 2];
+    first[P + 2] = 2.0 * n[PP];
+    (first[L], first[L + 1], first[L + 2]) = (n[M + 1], -n[M], n[PL]);
+    (first[M], first[M + 1], first[PL]) = (-2.0 * n[R + 1], 2.0 * n[R], -2.0 * n[R + 2]);
+    second[W] = n[PP];
+    (second[L], second[L + 1], second[L + 2]) = (n[R], n[R + 1], -n[R + 2]);
+    [*n, first, second]
+}
+
+fn turn_harmonics(line: &Line) -> [Line; 3] {
     let (mut still, mut cos, mut sin) = (*line, [0.0; SIZE], [0.0; SIZE]);
     for x in PAIRS {
         (still[x], still[x + 1]) = (0.0, 0.0);
@@ -40,12 +82,6 @@ pub(super) fn harmonics(line: &Line) -> [Line; 3] {
         (sin[x], sin[x + 1]) = (-line[x + 1], line[x]);
     }
     [still, cos, sin]
-}
-
-/// The same for a row n: the parts of `n D(Rz(q))`.
-pub(super) fn row_harmonics(row: &Line) -> [Line; 3] {
-    let [still, cos, sin] = harmonics(row);
-    [still, cos, sin.map(|entry| -entry)]
 }
 
 /// The matrix D of a rigid motion: `v(R p + t, R l) = D v(p, l)`, row by row.
@@ -151,8 +187,27 @@ mod tests {
             })
         };
         let pairs = [
-            (act(&d, &line), sum(harmonics(&line))),
-            (act_on_row(&line, &d), sum(row_harmonics(&line))),
+            (act(&d, &line), sum(harmonics(&line, false))),
+            (act_on_row(&line, &d), sum(row_harmonics(&line, false))),
+        ];
+        for (acted, summed) in pairs {
+            for (a, b) in acted.iter().zip(&summed) {
+                assert!((a - b).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn slides_along_z_are_quadratic() {
+        let shift = from_xyz_rpy([0.0, 0.0, 0.7], [0.0; 3]);
+        let line = of(Vector3::new(0.2, 0.5, -0.4), Vector3::new(0.6, 0.48, 0.64));
+        let d = motion(&Rigid::of(&shift));
+        let sum = |parts: [Line; 3]| -> Line {
+            std::array::from_fn(|i| parts[0][i] + 0.7 * parts[1][i] + 0.49 * parts[2][i])
+        };
+        let pairs = [
+            (act(&d, &line), sum(harmonics(&line, true))),
+            (act_on_row(&line, &d), sum(row_harmonics(&line, true))),
         ];
         for (acted, summed) in pairs {
             for (a, b) in acted.iter().zip(&summed) {

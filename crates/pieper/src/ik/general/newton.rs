@@ -9,6 +9,8 @@ use super::tolerances::TOLERANCES;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Goal<'a> {
     pub(super) links: &'a [Rigid; 5],
+    /// Which joints slide.
+    pub(super) slides: &'a [bool; 6],
     pub(super) target: Rigid,
 }
 
@@ -45,10 +47,16 @@ fn place<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Placed<S> {
         axes[i] = frame[2];
         origins[i] = origin;
         let (c, s) = (q[i].cos, q[i].sin);
-        for k in 0..3 {
-            let (x, y) = (frame[0][k], frame[1][k]);
-            frame[0][k] = s.mul_add(y, c * x);
-            frame[1][k] = s.subtract_product(x, c * y);
+        if goal.slides[i] {
+            for k in 0..3 {
+                origin[k] = s.mul_add(frame[2][k], origin[k]);
+            }
+        } else {
+            for k in 0..3 {
+                let (x, y) = (frame[0][k], frame[1][k]);
+                frame[0][k] = s.mul_add(y, c * x);
+                frame[1][k] = s.subtract_product(x, c * y);
+            }
         }
         if i < 5 {
             let link = &goal.links[i];
@@ -89,9 +97,16 @@ fn place<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Placed<S> {
 impl<S: Simd> Placed<S> {
     /// The geometric Jacobian at the end point.
     #[inline(always)]
-    fn jacobian(&self) -> Matrix<S> {
+    fn jacobian(&self, slides: &[bool; 6]) -> Matrix<S> {
         let mut rows = [[self.error[0]; 6]; 6];
         for j in 0..6 {
+            if slides[j] {
+                for k in 0..3 {
+                    rows[k][j] = self.axes[j][k];
+                    rows[3 + k][j] = self.error[0].constant(0.0);
+                }
+                continue;
+            }
             let (end, origin) = (&self.end, &self.origins[j]);
             let arm = [end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]];
             let velocity = cross(&self.axes[j], &arm);
@@ -138,12 +153,12 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
         if active.largest() == 0.0 {
             break;
         }
-        let delta = solve(placed.jacobian(), placed.error);
+        let delta = solve(placed.jacobian(goal.slides), placed.error);
         let length = square(&delta).sqrt();
         let scale = most.less(length).pick(most / length, one);
         let moving = zero.less(active).and(length.less(infinite));
         for k in 0..6 {
-            at[k] = at[k].advanced(moving.pick(delta[k] * scale, zero));
+            at[k] = at[k].moved(moving.pick(delta[k] * scale, zero), goal.slides[k]);
         }
     }
     best
@@ -199,7 +214,7 @@ const POWERS: usize = 3;
 #[inline(always)]
 pub(super) fn measure<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Measured<S> {
     let placed = place(simd, goal, q);
-    let inverse = invert(placed.jacobian());
+    let inverse = invert(placed.jacobian(goal.slides));
     let zero = Lane::splat(simd, 0.0);
     // The column of the inverse that is longest has a large part of what is sought.
     let mut free = [zero; 6];

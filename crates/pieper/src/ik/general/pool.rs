@@ -22,8 +22,6 @@ pub(super) struct Pool {
     pub(super) errors: [f64; CAPACITY],
     /// One bit for each solution that the current elimination found.
     pub(super) hit: u64,
-    /// Some elimination saw a near-miss.
-    pub(super) unsure: bool,
 }
 
 impl Pool {
@@ -33,7 +31,6 @@ impl Pool {
             points: [[0.0; 12]; CAPACITY],
             errors: [0.0; CAPACITY],
             hit: 0,
-            unsure: false,
         }
     }
 

@@ -12,8 +12,11 @@ pub(super) struct Reach {
 const MARGIN: f64 = 1e-9;
 
 impl Reach {
-    /// By the triangle inequality over the links between axis 1 and axis 6.
-    pub(super) fn new(links: &[Pose; 5]) -> Self {
+    /// By the triangle inequality over the links between axis 1 and axis 6; slides reach anywhere.
+    pub(super) fn new(links: &[Pose; 5], slides: &[bool; 6]) -> Self {
+        if slides.contains(&true) {
+            return Self { farthest: f64::MAX };
+        }
         let total: f64 = links
             .iter()
             .map(|link| link.translation.vector.norm())

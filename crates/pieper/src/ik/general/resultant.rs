@@ -15,7 +15,9 @@
 use pulp::Simd;
 
 use super::elimination::{BLOCK, COLUMNS, Harmonics, ROWS};
-use super::lanes::{Lane, Turn, Vector, cross, dot, pick, scaled};
+use super::lanes::{Lane, Mask, Turn, Vector, cross, dot, pick, scaled};
+use super::number::Number;
+use super::tolerances::TOLERANCES;
 
 /// How the resultant is taken: which of d and e is the unknown x, and the shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,20 +68,21 @@ pub(super) struct Reduced<S: Simd> {
     p: [Vector<S>; 3],
 }
 
-/// Eliminates at the angles c of the lanes.
+/// Eliminates at the angles c of the lanes, in numbers N.
 #[inline(always)]
-pub(super) fn reduce<S: Simd>(blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
-    let mut a = [[c.cos; COLUMNS]; ROWS];
+pub(super) fn reduce<S: Simd, N: Number<S>>(blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
+    let (cos, sin) = N::circle(c);
+    let mut a = [[cos; COLUMNS]; ROWS];
     for i in 0..ROWS {
         for j in 0..COLUMNS {
             let (block, k) = (j / 3, ROWS * (j % 3) + i);
-            let still = c.cos.constant(blocks[0][block][k]);
-            let cos = c.cos.constant(blocks[1][block][k]);
-            let sin = c.cos.constant(blocks[2][block][k]);
-            a[i][j] = sin.mul_add(c.sin, cos.mul_add(c.cos, still));
+            let still = N::of(c.cos.constant(blocks[0][block][k]));
+            let of_cos = N::of(c.cos.constant(blocks[1][block][k]));
+            let of_sin = N::of(c.cos.constant(blocks[2][block][k]));
+            a[i][j] = of_sin.mul_add(sin, of_cos.mul_add(cos, still));
         }
     }
-    let (least, most, product) = triangular(&mut a);
+    let (least, most, product) = triangular(&mut a, c.cos.constant(1.0));
     // Back substitution: the last three columns become [X1; X2].
     for y in 6..COLUMNS {
         for i in (0..ROWS).rev() {
@@ -87,52 +90,65 @@ pub(super) fn reduce<S: Simd>(blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
             for j in i + 1..ROWS {
                 sum = a[i][j].subtract_product(a[j][y], sum);
             }
-            a[i][y] = sum * a[i][i];
+            a[i][y] = sum.times(a[i][i]);
         }
     }
-    let mut x1 = [[c.cos; 3]; 3];
-    for i in 0..3 {
-        x1[i] = [a[i][6], a[i][7], a[i][8]];
-    }
-    let mut p = x1;
+    let mut p = [[cos; 3]; 3];
     for i in 0..3 {
         for j in 0..3 {
-            let square = x1[i][1].mul_add(x1[1][j], x1[i][0].mul_add(x1[0][j], a[i + 3][6 + j]));
-            p[i][j] = x1[i][2].mul_add(x1[2][j], square);
+            p[i][j] = a[i + 3][6 + j];
+            for k in 0..3 {
+                p[i][j] = a[i][6 + k].mul_add(a[k][6 + j], p[i][j]);
+            }
         }
     }
-    let determinant = dot(&p[0], &cross(&p[1], &p[2]));
+    let minor = |j: usize, k: usize| p[2][j].subtract_product(p[1][k], p[1][j].times(p[2][k]));
+    let determinant = p[0][0].mul_add(
+        minor(1, 2),
+        p[0][1].mul_add(minor(2, 0), p[0][2].times(minor(0, 1))),
+    );
+    let (mut x1, mut rounded) = ([[c.cos; 3]; 3], [[c.cos; 3]; 3]);
+    for i in 0..3 {
+        for j in 0..3 {
+            x1[i][j] = a[i][6 + j].rounded();
+            rounded[i][j] = p[i][j].rounded();
+        }
+    }
     Reduced {
-        value: -(product * product * determinant),
+        value: -(product.times(product).times(determinant).rounded()),
         ratio: least / most,
         x1,
-        p,
+        p: rounded,
     }
 }
 
 /// Gaussian elimination of the first six columns with row pivoting in each lane; the diagonal is left inverted.
 /// Returns the smallest and largest pivot by magnitude and the product of all (its sign is not needed).
 #[inline(always)]
-fn triangular<S: Simd>(a: &mut [[Lane<S>; COLUMNS]; ROWS]) -> (Lane<S>, Lane<S>, Lane<S>) {
-    let one = a[0][0].constant(1.0);
+fn triangular<S: Simd, N: Number<S>>(
+    a: &mut [[N; COLUMNS]; ROWS],
+    one: Lane<S>,
+) -> (Lane<S>, Lane<S>, N) {
     let tiny = one.constant(f64::MIN_POSITIVE);
-    let (mut least, mut most, mut product) = (one.constant(f64::MAX), one.constant(0.0), one);
+    let (mut least, mut most, mut product) =
+        (one.constant(f64::MAX), one.constant(0.0), N::of(one));
     for k in 0..ROWS {
         for i in k + 1..ROWS {
-            let larger = a[k][k].abs().less(a[i][k].abs());
+            let larger = a[k][k].rounded().abs().less(a[i][k].rounded().abs());
             for j in k..COLUMNS {
                 let (upper, lower) = (a[k][j], a[i][j]);
-                a[k][j] = larger.pick(lower, upper);
-                a[i][j] = larger.pick(upper, lower);
+                a[k][j] = N::pick(larger, lower, upper);
+                a[i][j] = N::pick(larger, upper, lower);
             }
         }
-        let size = a[k][k].abs();
-        let pivot = size.less(tiny).pick(tiny, a[k][k]);
-        (least, most, product) = (least.min(size), most.max(size), product * pivot);
-        let inverse = one / pivot;
+        let size = a[k][k].rounded().abs();
+        let pivot = N::pick(size.less(tiny), N::of(tiny), a[k][k]);
+        (least, most) = (least.min(size), most.max(size));
+        product = product.times(pivot);
+        let inverse = pivot.inverse();
         a[k][k] = inverse;
         for i in k + 1..ROWS {
-            let factor = a[i][k] * inverse;
+            let factor = a[i][k].times(inverse);
             for j in k + 1..COLUMNS {
                 a[i][j] = factor.subtract_product(a[k][j], a[i][j]);
             }
@@ -141,11 +157,52 @@ fn triangular<S: Simd>(a: &mut [[Lane<S>; COLUMNS]; ROWS]) -> (Lane<S>, Lane<S>,
     (least, most, product)
 }
 
+/// The angles d and e.
+type Pair<S> = (Turn<S>, Turn<S>);
+
 impl<S: Simd> Reduced<S> {
     /// The angles d and e at a root.
     #[inline(always)]
-    pub(super) fn angles(&self, form: Form) -> (Turn<S>, Turn<S>) {
-        let y = null_vector(&self.p);
+    pub(super) fn angles(&self, form: Form) -> Pair<S> {
+        self.angles_of(null_vector(&self.p), form)
+    }
+
+    /// Where two roots share the angle c, or nearly, P has rank 1 but for the perturbation, and its null vector is a mixture
+    /// of both roots'. Each of them is perpendicular to the largest row and of the form (1, cos e, sin e): whether that is
+    /// so, and both pairs of angles.
+    #[inline(always)]
+    pub(super) fn twins(&self, form: Form) -> (Mask<S>, [Pair<S>; 2]) {
+        let mut row = self.p[0];
+        let mut size = dot(&row, &row);
+        for other in [self.p[1], self.p[2]] {
+            let square = dot(&other, &other);
+            let larger = size.less(square);
+            row = pick(larger, &other, &row);
+            size = larger.pick(square, size);
+        }
+        let mut rest = size.constant(0.0);
+        for other in &self.p {
+            let part = cross(other, &row);
+            rest = rest.max(dot(&part, &part));
+        }
+        let most = size.constant(TOLERANCES.twins * TOLERANCES.twins);
+        let twins = rest.less(most * size * size);
+        // row . (1, cos e, sin e) = 0
+        let [k, c, s] = row;
+        let square = c.mul_add(c, s * s);
+        let root = k.subtract_product(k, square).max(size.constant(0.0)).sqrt();
+        let mut both = [self.angles_of(row, form); 2];
+        for (angles, root) in both.iter_mut().zip([root, -root]) {
+            let cos = k.subtract_product(c, -(s * root));
+            let sin = k.subtract_product(s, c * root);
+            *angles = self.angles_of([square, cos, sin], form);
+        }
+        (twins, both)
+    }
+
+    /// The angles d and e that go with a null vector.
+    #[inline(always)]
+    fn angles_of(&self, y: Vector<S>, form: Form) -> Pair<S> {
         let e = Turn::along(y[1], y[2]);
         let x1y = [
             dot(&self.x1[0], &y),

@@ -139,8 +139,9 @@ impl WithSimd for Along<'_, '_> {
         }
         let measured = measure(simd, self.goal, &q);
         let distance = Lane::load(simd, &DISTANCES, self.register);
-        for (turn, &along) in q.iter_mut().zip(&measured.free) {
-            *turn = turn.advanced(along * distance);
+        for (joint, turn) in q.iter_mut().enumerate() {
+            let step = measured.free[joint] * distance;
+            *turn = turn.moved(step, self.goal.slides[joint]);
         }
         let errors = newton(simd, self.goal, &mut q);
         self.pool.add(&q, errors, S::F64_LANES, TOLERANCES.closes);

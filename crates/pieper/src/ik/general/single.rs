@@ -6,13 +6,14 @@ use super::back::{self, Links};
 use super::cycle::Case;
 use super::elimination::{Harmonics, Linear};
 use super::isolate::{Candidates, isolate};
-use super::lanes::{Lane, Rigid};
+use super::lanes::{Lane, Mask, Rigid, Turn, square};
 use super::newton::{Angles, Goal, newton};
+use super::number::Double;
 use super::polynomial::{Sampled, sample};
 use super::pool::Pool;
 use super::refine::polish;
-use super::resultant::{self, Form};
-use super::tables::{Tables, Trigonometric};
+use super::resultant::{self, Form, Reduced};
+use super::tables::Tables;
 use super::tolerances::TOLERANCES;
 use crate::spatial::Pose;
 
@@ -20,12 +21,14 @@ use crate::spatial::Pose;
 #[derive(Clone, Debug)]
 pub(super) struct Elimination {
     pub(super) case: Case,
-    /// The perturbation of its linear part.
-    pub(super) delta: f64,
+    /// Whether the resultant is computed with twice the digits.
+    pub(super) precise: bool,
     pub(super) form: Form,
     pub(super) linear: Linear,
     /// The true links behind a to e and the inverse of the one behind f; the target's is filled in per target.
     pub(super) links: Links,
+    /// Which of the joints a to f slide.
+    pub(super) slides: [bool; 6],
 }
 
 /// The scaled target and its inverse, as links of the loop.
@@ -42,11 +45,33 @@ impl Target {
     }
 }
 
+/// Why an elimination may have missed roots.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Doubt {
+    /// Two roots, or none, where the polynomial nearly touches zero.
+    pub(super) near_miss: bool,
+    /// The polynomial is smaller than its noise somewhere, or so flat at a root that noise moves it far.
+    pub(super) drowned: bool,
+    /// The noise, relative to the largest coefficient.
+    pub(super) noise: f64,
+}
+
 impl Elimination {
     /// Takes the resultant in another form.
     pub(super) fn set_form(&mut self, form: Form) {
         self.form = form;
         self.linear.swap(form.swapped);
+    }
+
+    /// What stands for a slide in the resultant is twice its arc tangent.
+    #[inline(always)]
+    fn value<S: Simd>(&self, place: usize, turn: Turn<S>) -> Turn<S> {
+        if !self.slides[place] {
+            return turn;
+        }
+        let one = turn.cos.constant(1.0);
+        let tiny = turn.cos.constant(f64::EPSILON);
+        Turn::slid(turn.sin / (one + turn.cos).max(tiny))
     }
 
     #[inline(always)]
@@ -67,7 +92,7 @@ impl Elimination {
         goal: &Goal<'_>,
         target: &Target,
         pool: &mut Pool,
-    ) {
+    ) -> Doubt {
         let matrix = simd.vectorize(Build {
             elimination: self,
             target,
@@ -76,14 +101,19 @@ impl Elimination {
             tables,
             matrix: &matrix,
             form: self.form,
+            precise: self.precise,
         });
         let mut candidates = Candidates::new();
         simd.vectorize(Isolate {
             tables,
-            polynomial: &sampled.polynomial,
+            sampled: &sampled,
             out: &mut candidates,
         });
-        pool.unsure |= candidates.unsure;
+        let mut doubt = Doubt {
+            near_miss: candidates.unsure,
+            drowned: candidates.drowned,
+            noise: sampled.noise,
+        };
         let mut links = self.links;
         links[self.case.place()] = Rigid::of(self.link(target));
         let blocks = simd.vectorize(Blocks {
@@ -91,7 +121,7 @@ impl Elimination {
             form: self.form,
         });
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            simd.vectorize(Finish {
+            doubt.drowned |= simd.vectorize(Finish {
                 elimination: self,
                 tables,
                 goal,
@@ -103,6 +133,7 @@ impl Elimination {
                 pool,
             });
         }
+        doubt
     }
 
     /// Samples one target: the pivot ratio with this form alone.
@@ -137,13 +168,18 @@ struct Sample<'a> {
     tables: &'a Tables,
     matrix: &'a Harmonics,
     form: Form,
+    precise: bool,
 }
 
 impl WithSimd for Sample<'_> {
     type Output = Sampled;
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Sampled {
-        sample(simd, self.tables, self.matrix, self.form)
+        if self.precise {
+            sample::<S, Double<S>>(simd, self.tables, self.matrix, self.form)
+        } else {
+            sample::<S, Lane<S>>(simd, self.tables, self.matrix, self.form)
+        }
     }
 }
 
@@ -176,7 +212,7 @@ impl WithSimd for Condition<'_> {
 
 struct Isolate<'a> {
     tables: &'a Tables,
-    polynomial: &'a Trigonometric,
+    sampled: &'a Sampled,
     out: &'a mut Candidates,
 }
 
@@ -184,7 +220,13 @@ impl WithSimd for Isolate<'_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        isolate(simd, self.tables, self.polynomial, self.out);
+        isolate(
+            simd,
+            self.tables,
+            &self.sampled.polynomial,
+            self.sampled.noise,
+            self.out,
+        );
     }
 }
 
@@ -204,10 +246,22 @@ struct Finish<'a, 'b> {
 /// Newton steps on the determinant itself, with the polynomial's slope.
 const DIRECT: usize = 1;
 
-impl WithSimd for Finish<'_, '_> {
-    type Output = ();
+impl Finish<'_, '_> {
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn reduce<S: Simd>(&self, c: Turn<S>) -> Reduced<S> {
+        if self.elimination.precise {
+            resultant::reduce::<S, Double<S>>(self.blocks, c)
+        } else {
+            resultant::reduce::<S, Lane<S>>(self.blocks, c)
+        }
+    }
+}
+
+impl WithSimd for Finish<'_, '_> {
+    /// Whether noise moves some of the roots far.
+    type Output = bool;
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, simd: S) -> bool {
         let polynomial = &self.sampled.polynomial;
         let polished = polish(
             simd,
@@ -216,18 +270,42 @@ impl WithSimd for Finish<'_, '_> {
             self.candidates,
             self.register,
         );
-        let mut c = polished.turn;
         let zero = Lane::splat(simd, 0.0);
+        let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky);
+        let flat = zero
+            .less(polished.most)
+            .and(polished.slope.abs().less(shaky));
+        let drowned = flat.any();
+        let mut c = polished.turn;
         let scale = Lane::splat(simd, self.sampled.scale);
         for _ in 0..DIRECT {
-            let reduced = resultant::reduce(self.blocks, c);
+            let reduced = self.reduce(c);
             let step = -(reduced.value * scale / polished.slope);
             let usable = step.abs().less(polished.most);
             c = c.advanced(usable.pick(step, zero));
         }
-        let reduced = resultant::reduce(self.blocks, c);
-        let (d, e) = reduced.angles(self.elimination.form);
-        let loop_angles = back::complete(simd, self.links, [c, d, e]);
+        let reduced = self.reduce(c);
+        let form = self.elimination.form;
+        let mut good = self.finish(simd, c, reduced.angles(form));
+        let (twins, both) = reduced.twins(form);
+        if twins.any() {
+            for angles in both {
+                good = good.or(self.finish(simd, c, angles));
+            }
+        }
+        // A simple root of the polynomial that leads to no solution, or far away, was a mixture of several.
+        let simple = zero.less(polished.most);
+        drowned || simple.and_not(good).any()
+    }
+}
+
+impl Finish<'_, '_> {
+    /// From the angles c, d and e to solutions; whether there is one close to the angle c.
+    #[inline(always)]
+    fn finish<S: Simd>(&mut self, simd: S, c: Turn<S>, (d, e): (Turn<S>, Turn<S>)) -> Mask<S> {
+        let d = self.elimination.value(3, d);
+        let e = self.elimination.value(4, e);
+        let loop_angles = back::complete(simd, self.links, &self.elimination.slides, [c, d, e]);
         let mut q: Angles<S> = loop_angles;
         let joints = self.elimination.case.joints();
         for (angle, joint) in loop_angles.into_iter().zip(joints) {
@@ -241,5 +319,15 @@ impl WithSimd for Finish<'_, '_> {
         let used = self.candidates.count - self.register * S::F64_LANES;
         self.pool
             .add(&q, errors, used.min(S::F64_LANES), TOLERANCES.closes);
+        let kept = q[self.elimination.case.kept];
+        let kept = if self.elimination.case.inverted {
+            kept.reversed()
+        } else {
+            kept
+        };
+        let moved = square(&[kept.cos - c.cos, kept.sin - c.sin]);
+        let most = c.cos.constant(TOLERANCES.moved * TOLERANCES.moved);
+        let closes = errors.less(c.cos.constant(TOLERANCES.closes));
+        closes.and(moved.less(most))
     }
 }

@@ -10,6 +10,9 @@ pub(super) const COEFFICIENTS: usize = 2 * DEGREE + 1;
 /// Samples: at least 17; a multiple of every register's lanes.
 pub(super) const SAMPLES: usize = 24;
 
+/// Coefficients of the harmonics above the degree that the samples determine; the last one, half the samples, is left out.
+pub(super) const BEYOND: usize = 2 * (SAMPLES / 2 - 1 - DEGREE);
+
 /// Arcs into which the circle is cut. On an arc of 1/32 turn the Taylor series of degree 15 of cos 8t is exact to 1e-15.
 pub(super) const ARCS: usize = 32;
 /// Half an arc.
@@ -27,6 +30,8 @@ pub(super) struct Tables {
     pub(super) sample_sin: [f64; SAMPLES],
     /// The coefficients from the samples.
     pub(super) transform: [[f64; SAMPLES]; COEFFICIENTS],
+    /// The same for harmonics that the resultant does not have: what they come to is noise.
+    pub(super) beyond: [[f64; SAMPLES]; BEYOND],
     /// Cosine and sine of k times the middle of each arc, k from 1.
     pub(super) arc_cos: [[f64; ARCS]; DEGREE],
     pub(super) arc_sin: [[f64; ARCS]; DEGREE],
@@ -48,6 +53,13 @@ impl Tables {
                     1..=DEGREE => 2.0 * (row as f64 * angle(k)).cos() / size,
                     _ => 2.0 * ((row - DEGREE) as f64 * angle(k)).sin() / size,
                 }
+            })
+        });
+        let beyond = std::array::from_fn(|row| {
+            let rate = (DEGREE + 1 + row / 2) as f64;
+            std::array::from_fn(|k| {
+                let (sin, cos) = (rate * angle(k)).sin_cos();
+                2.0 * if row % 2 == 0 { cos } else { sin } / SAMPLES as f64
             })
         });
         let arcs = |function: fn(f64) -> f64| {
@@ -74,6 +86,7 @@ impl Tables {
             sample_cos: std::array::from_fn(|k| angle(k).cos()),
             sample_sin: std::array::from_fn(|k| angle(k).sin()),
             transform,
+            beyond,
             arc_cos: arcs(f64::cos),
             arc_sin: arcs(f64::sin),
             even: series(0),

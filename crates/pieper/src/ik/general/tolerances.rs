@@ -7,6 +7,8 @@
 pub(super) struct Tolerances {
     /// A sample whose pivots differ by more than this loses so many digits that other shifts are tried.
     pub(super) pivot_ratio: f64,
+    /// The same for twice the digits.
+    pub(super) precise_pivot_ratio: f64,
     /// Radians. On an interval this short, an extremum is sought where there are two sign changes. Not shorter: a complex
     /// pair leaves no sign changes on intervals of the size of its imaginary part.
     pub(super) pair_width: f64,
@@ -16,8 +18,17 @@ pub(super) struct Tolerances {
     pub(super) least_width: f64,
     /// Radians. A complex pair with a smaller imaginary part may be two real roots in truth.
     pub(super) near_miss: f64,
+    /// Times the noise of a coefficient: where the polynomial is smaller, its sign means nothing.
+    pub(super) drowned: f64,
+    /// Radians. Where the noise may move a root by more, it may hide others.
+    pub(super) shaky: f64,
     /// Radians. A larger step towards the root of det S is noise.
     pub(super) refine_step: f64,
+    /// The second singular value of P over the first, below which two roots are so close that their null vectors mix.
+    pub(super) twins: f64,
+    /// Radians. Where a solution's angle is farther from the root of the polynomial that led to it, perturbation or noise
+    /// has moved roots by more than the distance of close ones.
+    pub(super) moved: f64,
     /// A larger error after the first Newton steps is no root.
     pub(super) hopeless: f64,
     /// Radians, all joints together: the longest Newton step.
@@ -44,11 +55,16 @@ pub(super) struct Tolerances {
 /// The one set in use.
 pub(super) const TOLERANCES: Tolerances = Tolerances {
     pivot_ratio: 1e-3,
+    precise_pivot_ratio: 1e-12,
     pair_width: 0.1,
     short: 0.025,
     least_width: 2e-4,
     near_miss: 0.03,
+    drowned: 10.0,
+    shaky: 0.01,
     refine_step: 0.02,
+    twins: 1e-3,
+    moved: 1e-3,
     hopeless: 0.3,
     newton_step: 0.5,
     rounding: 2e-15,

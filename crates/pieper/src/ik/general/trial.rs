@@ -3,15 +3,17 @@
 use pulp::{Simd, WithSimd};
 
 use super::Scaled;
-use super::cycle::CASES;
+use super::cycle::{CASES, Case};
 use super::elimination::Linear;
 use super::lanes::Rigid;
 use super::newton::Goal;
+use super::orientation::Orientation;
 use super::pool::Pool;
 use super::random::Random;
 use super::resultant::{Form, SHIFTS};
 use super::single::{Elimination, Target};
 use super::tables::Tables;
+use super::way::Way;
 use crate::error::{Error, Result};
 use crate::spatial::Pose;
 
@@ -19,14 +21,21 @@ use crate::spatial::Pose;
 const POSES: usize = 24;
 /// Poses on which the form of the resultant is chosen.
 const FORM_POSES: usize = 3;
-/// Perturbations of the linear part. None is best for general arms; 1e-6 splits the degeneracies of structured ones: less
-/// drowns them in rounding, which grows with its inverse square, more moves close roots together.
-const DELTAS: [f64; 2] = [0.0, 1e-6];
-/// The fallback for poses at which the small one does not help.
-const LARGE_DELTA: f64 = 1e-4;
+/// Perturbations of the linear part. None is best for general arms; the others split the degeneracies of structured ones:
+/// less drowns them in rounding, which grows with its inverse square, more moves close roots together.
+const DELTAS: [f64; 3] = [0.0, 1e-7, 1e-6];
+/// The perturbation of the eliminations with twice the digits: the matrix is rounded to doubles, which is noise of 1e-16
+/// over it.
+const PRECISE_DELTA: f64 = 1e-8;
 /// Seeds of the test poses and of the perturbations.
 const POSE_SEED: u64 = 0x6b69_6e65;
 const MOTION_SEED: u64 = 0x7069_6570;
+
+/// Eliminations in ordinary numbers that are kept.
+const CHOSEN: usize = 3;
+
+/// Eliminations of an arm at most: those, then all with twice the digits, or for two slides all others.
+pub(super) const MOST: usize = CHOSEN + CASES.len();
 
 /// Chooses eliminations and how many of them are run at least.
 pub(super) struct Trial<'a> {
@@ -36,13 +45,15 @@ pub(super) struct Trial<'a> {
 
 /// An elimination and what it found.
 struct Score {
-    elimination: Elimination,
+    way: Way,
     /// For each pose the members of the union found.
     found: [u64; POSES],
+    /// The perturbation or the usual noise of the polynomial, whichever is larger.
+    blur: f64,
 }
 
 impl WithSimd for Trial<'_> {
-    type Output = Result<(Vec<Elimination>, usize)>;
+    type Output = Result<(Vec<Way>, usize)>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
@@ -51,24 +62,83 @@ impl WithSimd for Trial<'_> {
         let mut scores = Vec::new();
         let mut pools = vec![Pool::new(); POSES];
         for delta in DELTAS {
-            for case in CASES {
-                let elimination = self.build(simd, case, delta, &targets, &mut random);
-                let found = std::array::from_fn(|p| {
-                    self.found(simd, &elimination, &targets[p], &mut pools[p])
+            for way in self.ways(simd, delta, &targets, &mut random) {
+                let (mut found, mut noise) = ([0; POSES], [0.0; POSES]);
+                for (p, target) in targets.iter().enumerate() {
+                    pools[p].start();
+                    let goal = self.goal(target);
+                    let doubt = way.run(simd, self.tables, &goal, target, &mut pools[p]);
+                    (found[p], noise[p]) = (pools[p].hit, doubt.noise);
+                }
+                noise.sort_by(f64::total_cmp);
+                scores.push(Score {
+                    blur: noise[POSES / 2].max(delta),
+                    way,
+                    found,
                 });
-                scores.push(Score { elimination, found });
             }
         }
-        let large: Vec<Elimination> = CASES
-            .iter()
-            .take(5)
-            .map(|&case| self.build(simd, case, LARGE_DELTA, &targets, &mut random))
-            .collect();
-        Ok(order(scores, &pools, large))
+        let (chosen, mut rest, least) = choose(scores, &pools);
+        let mut ways: Vec<Way> = chosen.into_iter().map(|score| score.way).collect();
+        if self.two_slides() {
+            rest.sort_by_key(|score| {
+                std::cmp::Reverse(score.found.iter().map(|f| f.count_ones()).sum::<u32>())
+            });
+            ways.extend(rest.into_iter().map(|score| score.way));
+        } else {
+            for case in self.cases() {
+                let elimination = self.build(simd, case, PRECISE_DELTA, &targets, &mut random);
+                ways.push(Way::Resultant(Box::new(Elimination {
+                    precise: true,
+                    ..elimination
+                })));
+            }
+        }
+        Ok((ways, least))
     }
 }
 
 impl Trial<'_> {
+    fn two_slides(&self) -> bool {
+        self.arm.slides.iter().filter(|&&slides| slides).count() == 2
+    }
+
+    fn cases(&self) -> impl Iterator<Item = Case> + use<> {
+        let slides = self.arm.slides;
+        CASES.into_iter().filter(move |case| case.takes(&slides))
+    }
+
+    /// Every way with this perturbation.
+    #[inline(always)]
+    fn ways<S: Simd>(
+        &self,
+        simd: S,
+        delta: f64,
+        targets: &[Target],
+        random: &mut Random,
+    ) -> Vec<Way> {
+        if !self.two_slides() {
+            let build = |case| self.build(simd, case, delta, targets, random);
+            return self
+                .cases()
+                .map(build)
+                .map(|elimination| Way::Resultant(Box::new(elimination)))
+                .collect();
+        }
+        (0..6)
+            .filter_map(|kept| {
+                Orientation::new(kept, &self.arm.slides, &self.loop_links(), delta, random)
+            })
+            .map(|orientation| Way::Orientation(Box::new(orientation)))
+            .collect()
+    }
+
+    /// The links of the loop, the last one without the target.
+    fn loop_links(&self) -> [Pose; 6] {
+        let link = |i: usize| self.arm.poses.get(i).copied();
+        std::array::from_fn(|i| link(i).unwrap_or_else(Pose::identity))
+    }
+
     /// Reachable poses; an error if the arm is singular at all of them.
     #[inline(always)]
     fn poses<S: Simd>(&self, simd: S) -> Result<Vec<Target>> {
@@ -76,10 +146,22 @@ impl Trial<'_> {
         let mut regular = 0.0_f64;
         let mut targets = Vec::with_capacity(POSES);
         for _ in 0..POSES {
-            let q: [f64; 6] = std::array::from_fn(|_| random.signed() * std::f64::consts::PI);
+            let q: [f64; 6] = std::array::from_fn(|joint| {
+                let half = if self.arm.slides[joint] {
+                    super::TOTAL / 2.0
+                } else {
+                    std::f64::consts::PI
+                };
+                random.signed() * half
+            });
             let target = Target::new(self.arm.forward(&q));
             let mut pool = Pool::new();
-            let point = std::array::from_fn(|k| if k < 6 { q[k].cos() } else { q[k - 6].sin() });
+            let point = std::array::from_fn(|k| match (k < 6, self.arm.slides[k % 6]) {
+                (true, true) => 1.0,
+                (true, false) => q[k].cos(),
+                (false, true) => q[k - 6],
+                (false, false) => q[k - 6].sin(),
+            });
             pool.insert(&point, 0.0);
             let mut sigma = [0.0; super::pool::CAPACITY];
             let goal = self.goal(&target);
@@ -100,6 +182,7 @@ impl Trial<'_> {
     fn goal(&self, target: &Target) -> Goal<'_> {
         Goal {
             links: &self.arm.links,
+            slides: &self.arm.slides,
             target: Rigid::of(&target.pose),
         }
     }
@@ -109,18 +192,12 @@ impl Trial<'_> {
     fn build<S: Simd>(
         &self,
         simd: S,
-        case: super::cycle::Case,
+        case: Case,
         delta: f64,
         targets: &[Target],
         random: &mut Random,
     ) -> Elimination {
-        let loop_links: [Pose; 6] = std::array::from_fn(|i| {
-            self.arm
-                .poses
-                .get(i)
-                .copied()
-                .unwrap_or_else(Pose::identity)
-        });
+        let loop_links = self.loop_links();
         let of = case.links(&loop_links);
         let mut links = of.each_ref().map(Rigid::of);
         links[5] = Rigid::of(&of[5].inverse());
@@ -130,10 +207,11 @@ impl Trial<'_> {
         };
         let mut best = Elimination {
             case,
-            delta,
+            precise: false,
             form,
-            linear: Linear::new(case, &loop_links, delta, random),
+            linear: Linear::new(case, &loop_links, &self.arm.slides, delta, random),
             links,
+            slides: case.joints().map(|joint| self.arm.slides[joint]),
         };
         let mut best_score = f64::NEG_INFINITY;
         let mut best_form = form;
@@ -152,53 +230,29 @@ impl Trial<'_> {
         best.set_form(best_form);
         best
     }
-
-    /// Which members of the pool an elimination finds, new ones included.
-    #[inline(always)]
-    fn found<S: Simd>(
-        &self,
-        simd: S,
-        elimination: &Elimination,
-        target: &Target,
-        pool: &mut Pool,
-    ) -> u64 {
-        pool.start();
-        elimination.run(simd, self.tables, &self.goal(target), target, pool);
-        pool.hit
-    }
 }
 
 /// Below this at every random configuration an arm counts as singular everywhere: rounding gives some 1e-16, arms that
 /// move in all directions reach 1e-2.
 const SINGULAR_ARM: f64 = 1e-9;
 
-/// Perturbed eliminations are preferred only where they find more.
-const DELTA_COST: f64 = 0.002;
+/// Share of the roots that a factor of ten in the blur is worth: eliminations differ by less only by chance.
+const BLUR_COST: f64 = 0.0003;
 
 /// Greedy: the first finds most, each further one most together with the ones before, with another kept joint preferred.
-fn order(
-    mut scores: Vec<Score>,
-    pools: &[Pool],
-    large: Vec<Elimination>,
-) -> (Vec<Elimination>, usize) {
+fn choose(mut scores: Vec<Score>, pools: &[Pool]) -> (Vec<Score>, Vec<Score>, usize) {
     let total: u32 = pools.iter().map(|pool| pool.count as u32).sum();
     let mut chosen: Vec<Score> = Vec::new();
     let mut union = [0_u64; POSES];
-    while chosen.len() < 3 {
+    while chosen.len() < CHOSEN && !scores.is_empty() {
         let value = |score: &Score| {
             let covered: u32 = (0..POSES)
                 .map(|p| (union[p] | score.found[p]).count_ones())
                 .sum();
             let own: u32 = score.found.iter().map(|f| f.count_ones()).sum();
             let share = |count: u32| f64::from(count) / f64::from(total.max(1));
-            let repeated = chosen
-                .iter()
-                .any(|c| c.elimination.case.kept == score.elimination.case.kept);
-            let cost = if score.elimination.delta > 0.0 {
-                DELTA_COST
-            } else {
-                0.0
-            };
+            let repeated = chosen.iter().any(|c| c.way.kept() == score.way.kept());
+            let cost = BLUR_COST * (score.blur + f64::EPSILON).log10();
             share(covered) + share(own) - cost - if repeated { 0.5 } else { 0.0 }
         };
         let mut best = 0;
@@ -214,13 +268,7 @@ fn order(
         chosen.push(next);
     }
     let least = least(&chosen, pools);
-    let mut list: Vec<Elimination> = chosen.into_iter().map(|score| score.elimination).collect();
-    list.extend(large);
-    scores.sort_by_key(|score| {
-        std::cmp::Reverse(score.found.iter().map(|f| f.count_ones()).sum::<u32>())
-    });
-    list.extend(scores.into_iter().map(|score| score.elimination));
-    (list, least)
+    (chosen, scores, least)
 }
 
 /// The smallest number of first eliminations, from 2 to 3, by which every root is found twice; 4 otherwise.

@@ -51,7 +51,7 @@ impl Column for Quad {
     #[inline(always)]
     fn negated(&self) -> Self {
         Self {
-            value: self.simd.neg_f64s(self.value),
+            value: lanes::negative(self.simd, self.value),
             ..*self
         }
     }
@@ -69,9 +69,11 @@ impl SpaceColumn for Quad {
             pulp::cast::<_, f64x4>(lanes)
         };
         let product = self.simd.mul_f64s(yzx(self.value), other.value);
-        let turned =
-            self.simd
-                .mul_add_f64s(self.value, yzx(other.value), self.simd.neg_f64s(product));
+        let turned = self.simd.mul_add_f64s(
+            self.value,
+            yzx(other.value),
+            lanes::negative(self.simd, product),
+        );
         Self {
             value: yzx(turned),
             ..*self
@@ -144,8 +146,15 @@ impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
             z: column(base.z),
             p: column(base.p),
         };
+        let mut moved = Displacements {
+            values: [0.0; PACK],
+            sin: [0.0; PACK],
+            cos: [0.0; PACK],
+        };
         for (pack, steps) in canonical.steps.chunks(PACK).enumerate() {
-            let moved = Displacements::of(wide, canonical, pack, steps, q)?;
+            if !moved.set(wide, canonical, pack, steps, q) {
+                return None;
+            }
             let motion = |index: usize, step: &Step| {
                 if step.turns {
                     Moved::Turned(Turn {
@@ -167,6 +176,8 @@ impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
 }
 
 /// Displacements of a pack of steps, with their sines and cosines.
+// Aligned so that no register straddles two cache lines.
+#[repr(align(64))]
 struct Displacements {
     values: [f64; PACK],
     sin: [f64; PACK],
@@ -174,15 +185,16 @@ struct Displacements {
 }
 
 impl Displacements {
-    /// `None` if one is not finite.
+    /// Those of pack `pack`, whose steps are `steps`; `false` if one is not finite.
     #[inline(always)]
-    fn of<S: Simd>(
+    fn set<S: Simd>(
+        &mut self,
         simd: S,
         canonical: &Canonical,
         pack: usize,
         steps: &[Step],
         q: &[f64],
-    ) -> Option<Self> {
+    ) -> bool {
         let drives = canonical.packed();
         let (factors, offsets) = (&drives.factors[pack], &drives.offsets[pack]);
         let mut gathered = [0.0; PACK];
@@ -194,16 +206,11 @@ impl Displacements {
             }
             &gathered[..]
         };
-        let mut moved = Self {
-            values: [0.0; PACK],
-            sin: [0.0; PACK],
-            cos: [0.0; PACK],
-        };
         let (factors, offsets) = (S::as_simd_f64s(factors).0, S::as_simd_f64s(offsets).0);
         let (values, sin, cos) = (
-            S::as_mut_simd_f64s(&mut moved.values).0,
-            S::as_mut_simd_f64s(&mut moved.sin).0,
-            S::as_mut_simd_f64s(&mut moved.cos).0,
+            S::as_mut_simd_f64s(&mut self.values).0,
+            S::as_mut_simd_f64s(&mut self.sin).0,
+            S::as_mut_simd_f64s(&mut self.cos).0,
         );
         let limit = simd.splat_f64s(lanes::MAX_REDUCED);
         let mut small = true;
@@ -215,29 +222,22 @@ impl Displacements {
             let full = |value| Lanes { simd, value };
             let value = full(simd.partial_load_f64s(q))
                 .mul_add(full(factors[register]), full(offsets[register]));
-            let in_range = simd.less_than_f64s(simd.abs_f64s(value.value), limit);
+            let in_range = simd.less_than_f64s(lanes::magnitude(simd, value.value), limit);
             small &= lanes::all_true(simd, in_range);
             let turn = lanes::sin_cos(value);
             values[register] = value.value;
             sin[register] = turn.sin.value;
             cos[register] = turn.cos.value;
         }
-        if small {
-            Some(moved)
-        } else {
-            moved.by_the_standard_library()
-        }
+        small || self.by_the_standard_library()
     }
 
     #[cold]
     #[inline(never)]
-    fn by_the_standard_library(mut self) -> Option<Self> {
+    fn by_the_standard_library(&mut self) -> bool {
         for lane in 0..PACK {
             (self.sin[lane], self.cos[lane]) = self.values[lane].sin_cos();
         }
-        self.values
-            .iter()
-            .all(|value| value.is_finite())
-            .then_some(self)
+        self.values.iter().all(|value| value.is_finite())
     }
 }

@@ -59,12 +59,13 @@ const CLASSES: &[(&str, &str)] = &[
     ("ur16e", "three parallel axes, three-parallel"),
     ("ur20", "three parallel axes, three-parallel"),
     ("ur30", "three parallel axes, three-parallel"),
-    ("panda", "general, numeric"),
-    ("fr3", "general, numeric"),
+    ("panda", "general, locked"),
+    ("fr3", "general, locked"),
     ("jaco2", "general, general"),
-    ("kinova-gen3", "general, numeric"),
+    ("kinova-gen3", "general, locked"),
     ("xarm6", "general, general"),
-    ("xarm7", "general, numeric"),
+    ("xarm7", "general, locked"),
+    ("abb-paper", "spherical wrist, spherical"),
 ];
 
 #[test]

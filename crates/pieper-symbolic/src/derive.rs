@@ -44,6 +44,8 @@ pub fn sheet(arm: &Arm, scope: Scope) -> Result<Sheet> {
         sums: basis::cumulative(arm),
         blocks: Vec::new(),
     };
+    // An arm that swells is told so before anything of it is grouped for print.
+    arm.tool_pose()?;
     writer.notation();
     let title = match scope {
         Scope::Forward => {

@@ -82,7 +82,7 @@ pub struct Term {
 }
 
 /// Terms a polynomial may have: beyond it a formula is of no use to anyone, and an hour would not print it.
-pub const MAX_TERMS: usize = 20_000;
+pub const MAX_TERMS: usize = 4_000;
 
 /// A polynomial over exact rationals, reduced by `sin^2 = 1 - cos^2` for every angle and by the roots' squares: two
 /// polynomials are the same function of independent angles and symbols exactly if they are equal.

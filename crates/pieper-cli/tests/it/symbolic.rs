@@ -93,7 +93,7 @@ fn a_long_chain_is_refused_and_not_pondered() {
     let ended = pieper(&["derive", &snake]);
     assert_eq!(ended.code, 2);
     assert!(
-        ended.stderr.contains("more than 20000 terms"),
+        ended.stderr.contains("more than 4000 terms"),
         "{}",
         ended.stderr
     );

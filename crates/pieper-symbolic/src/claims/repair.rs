@@ -50,7 +50,7 @@ pub(crate) fn find(
             return Ok(Some(edit(side, fixed, &slip.path, slip.what.clone())));
         }
     }
-    let likely: Vec<&Slip> = slips.iter().filter(|slip| slip.rank < 3).collect();
+    let likely: Vec<&Slip> = slips.iter().filter(|slip| slip.rank < 2).collect();
     if likely.len() > MAX_PAIRS {
         return Ok(None);
     }

@@ -14,6 +14,16 @@ fn check(id: &str, way: &str, one: &Chain, other: &Chain, random: &mut fastrand:
     }
 }
 
+/// Found by fuzzing: in a text of several lines a backslash in front of an n is no line break.
+#[test]
+fn texts_of_several_lines_are_written_as_they_are() {
+    let file = "name = 'r'\nconvention = 'standard'\nsource = \"\"\"\na \\\\n \\\"b\\\"\n\\u009B\tc\\\\\"\"\"\n[[joint]]\ntheta = 'q1'\na = 1";
+    let robot = Robot::from_toml("r.toml", file).unwrap();
+    assert_eq!(robot.source, "a \\n \"b\"\n\u{9b}\tc\\");
+    let again = Robot::from_toml("again.toml", &robot.to_toml().unwrap()).unwrap();
+    assert_eq!(robot, again);
+}
+
 #[test]
 fn tables_and_screws_of_every_arm_are_equal() {
     let mut random = fastrand::Rng::with_seed(10);

@@ -261,11 +261,11 @@ fn key(text: &str) -> String {
 
 /// A TOML string, over several lines if the text has them.
 fn quoted(text: &str) -> String {
-    if text.contains('\n') {
-        let escaped = escaped(text).replace("\\n", "\n");
-        return format!("\"\"\"\n{escaped}\"\"\"");
+    // A line break between triple quotes stands for itself.
+    match text.contains('\n') {
+        true => format!("\"\"\"\n{}\"\"\"", escaped(text)),
+        false => format!("\"{}\"", escaped(text)),
     }
-    format!("\"{}\"", escaped(text))
 }
 
 fn escaped(text: &str) -> String {
@@ -273,7 +273,7 @@ fn escaped(text: &str) -> String {
     for character in text.chars() {
         match character {
             '"' | '\\' => out.extend(['\\', character]),
-            '\n' => out.push_str("\\n"),
+            '\n' => out.push('\n'),
             '\t' => out.push_str("\\t"),
             c if c.is_control() => out.push_str(&format!("\\u{:04X}", u32::from(c))),
             c => out.push(c),

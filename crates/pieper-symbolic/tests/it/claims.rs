@@ -88,11 +88,6 @@ fn claims_of_every_kind() {
         "t34 = S1 + l2*s2 + (l4 + l6*c5)*s23\n - l6*c23*c4*s5",
         "",
     );
-    one(
-        "ar3",
-        "t31 = -c23*(s4*c6 + c4*c5*s6) + s23*s5*c6",
-        "-c23*(s4*c6 + c4*c5*s6) + s23*s5*c6 -> -c23*(s4*c6 + c4*c5*s6) - s23*s5*s6",
-    );
     // The six-axis note's misprint: entry (3,2) of the last matrix.
     let six = "A6 = [c6, -s6, 0, 0; s6, c6, 0, 0; 0, -1, 1, d6; 0, 0, 0, 1]";
     one("six-axis", six, "-1 -> 0");

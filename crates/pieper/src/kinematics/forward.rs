@@ -22,7 +22,7 @@ use crate::spatial::Pose;
 /// # Ok::<(), pieper::Error>(())
 /// ```
 pub fn tool_pose(chain: &Chain, q: &[f64]) -> Result<Pose> {
-    single::checked_tool_pose(chain, q, &mut Nothing)
+    single::tool_pose(chain, q, &mut Nothing)
 }
 
 /// The pose of every link at the joint vector `q`, one for each of [`Chain::joints`], into `poses`.

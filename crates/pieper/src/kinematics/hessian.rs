@@ -26,7 +26,7 @@ pub fn hessian(chain: &Chain, q: &[f64], slices: &mut Vec<Jacobian>) -> Result<P
         slice.fill(0.0);
     }
     let mut axes = Axes(Vec::with_capacity(chain.canonical().steps.len()));
-    let pose = single::checked_tool_pose(chain, q, &mut axes)?;
+    let pose = single::tool_pose(chain, q, &mut axes)?;
     for (i, inner) in axes.0.iter().enumerate() {
         for (j, outer) in axes.0.iter().enumerate() {
             let (v, w) = if i <= j {

@@ -49,8 +49,8 @@ pub fn pose_and_jacobian(
     if jacobian.ncols() != chain.dof() {
         *jacobian = Jacobian::zeros(chain.dof());
     }
-    let pose = pose_and_columns(chain, q, columns_of(jacobian))?;
-    if reference == Reference::Tool {
+    let pose = pose_and_columns(chain, q, columns_of(jacobian));
+    if let (Reference::Tool, Ok(pose)) = (reference, &pose) {
         let turn = pose.rotation.inverse();
         for column in columns_of(jacobian) {
             let [a, b, c, d, e, f] = *column;
@@ -58,7 +58,7 @@ pub fn pose_and_jacobian(
             *column = [v.x, v.y, v.z, w.x, w.y, w.z];
         }
     }
-    Ok(pose)
+    pose
 }
 
 /// The columns of [`pose_and_jacobian`], in the base's axes, into a buffer of the caller: one column for each variable.
@@ -71,10 +71,10 @@ pub(crate) fn pose_and_columns(chain: &Chain, q: &[f64], columns: &mut [[f64; 6]
             canonical,
             count: 0,
         };
-        single::checked_tool_pose(chain, q, &mut levers)
+        single::tool_pose(chain, q, &mut levers)
     } else {
         columns.fill([0.0; 6]);
-        single::checked_tool_pose(chain, q, &mut Moments { columns })
+        single::tool_pose(chain, q, &mut Moments { columns })
     }
 }
 

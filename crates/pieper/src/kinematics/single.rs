@@ -218,44 +218,35 @@ impl Record for Nothing {
     fn tool<C: SpaceColumn>(&mut self, _: &Frame<C>) {}
 }
 
-/// The tool's pose by the fastest way this processor has; `record` sees the axes. `None` if a displacement is not
-/// finite; `q` has one value for each variable.
+/// The tool's pose by the fastest way this processor has; `record` sees the axes.
+///
+/// The result is made where it is wanted: a copy of a pose that was just stored waits for the store.
+///
+/// # Errors
+/// An input error unless `q` has one value for each variable and every displacement is finite.
 #[inline(always)]
-pub(super) fn tool_pose(
-    canonical: &Canonical,
-    q: &[f64],
-    record: &mut impl Record,
-) -> Option<Pose> {
+pub(super) fn tool_pose(chain: &Chain, q: &[f64], record: &mut impl Record) -> Result<Pose> {
+    chain.check_joint_count(q)?;
     #[cfg(all(target_arch = "x86_64", feature = "avx512"))]
     if let Some(simd) = pulp::x86::V4::try_new() {
-        return x86::tool_pose(simd, *simd, canonical, q, record);
+        return x86::tool_pose(simd, *simd, chain, q, record);
     }
     #[cfg(all(target_arch = "x86_64", feature = "avx2"))]
     if let Some(simd) = pulp::x86::V3::try_new() {
-        return x86::tool_pose(simd, simd, canonical, q, record);
+        return x86::tool_pose(simd, simd, chain, q, record);
     }
+    let canonical = chain.canonical();
     let displacement = |step: &Step| step.drive.displacement(q);
     if !canonical
         .steps
         .iter()
         .all(|step| displacement(step).is_finite())
     {
-        return None;
+        return Err(chain.not_finite_error(q));
     }
     let frame = tool_frame_plain(canonical, displacement, |step, frame| {
         record.axis(step, frame)
     });
     record.tool(&frame);
-    Some(pose_of(&frame))
-}
-
-/// [`tool_pose`] with its errors in words.
-#[inline(always)]
-pub(super) fn checked_tool_pose(
-    chain: &Chain,
-    q: &[f64],
-    record: &mut impl Record,
-) -> Result<Pose> {
-    chain.check_joint_count(q)?;
-    tool_pose(chain.canonical(), q, record).ok_or_else(|| chain.not_finite_error(q))
+    Ok(pose_of(&frame))
 }

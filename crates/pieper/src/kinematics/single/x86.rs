@@ -4,9 +4,10 @@ use pulp::x86::V3;
 use pulp::{NullaryFnOnce, Simd, f64x4};
 
 use super::{Moved, Record, SpaceColumn, append_tail, base_frame, pose_of, run};
+use crate::error::Result;
 use crate::kinematics::kernel::{Column, Frame, Turn};
 use crate::kinematics::lanes::{self, Lanes};
-use crate::model::{Canonical, PACK, Step};
+use crate::model::{Canonical, Chain, PACK, Step};
 use crate::scalar::Scalar;
 use crate::spatial::Pose;
 
@@ -104,7 +105,7 @@ impl SpaceColumn for Quad {
 struct Call<'a, S, R> {
     wide: S,
     narrow: V3,
-    canonical: &'a Canonical,
+    chain: &'a Chain,
     q: &'a [f64],
     record: &'a mut R,
 }
@@ -113,31 +114,32 @@ struct Call<'a, S, R> {
 pub(super) fn tool_pose<S: Simd>(
     wide: S,
     narrow: V3,
-    canonical: &Canonical,
+    chain: &Chain,
     q: &[f64],
     record: &mut impl Record,
-) -> Option<Pose> {
+) -> Result<Pose> {
     wide.vectorize(Call {
         wide,
         narrow,
-        canonical,
+        chain,
         q,
         record,
     })
 }
 
 impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
-    type Output = Option<Pose>;
+    type Output = Result<Pose>;
 
     #[inline(always)]
-    fn call(self) -> Option<Pose> {
+    fn call(self) -> Result<Pose> {
         let Self {
             wide,
             narrow,
-            canonical,
+            chain,
             q,
             record,
         } = self;
+        let canonical = chain.canonical();
         let base = base_frame(&canonical.base);
         let column = |column| Quad::new(narrow, column);
         let mut frame = Frame {
@@ -153,7 +155,7 @@ impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
         };
         for (pack, steps) in canonical.steps.chunks(PACK).enumerate() {
             if !moved.set(wide, canonical, pack, steps, q) {
-                return None;
+                return Err(chain.not_finite_error(q));
             }
             let motion = |index: usize, step: &Step| {
                 if step.turns {
@@ -171,7 +173,7 @@ impl<S: Simd, R: Record> NullaryFnOnce for Call<'_, S, R> {
         append_tail(&mut frame, canonical, |x| x);
         record.tool(&frame);
         let [x, y, z, p] = [frame.x, frame.y, frame.z, frame.p].map(|column| column.store());
-        Some(pose_of(&Frame { x, y, z, p }))
+        Ok(pose_of(&Frame { x, y, z, p }))
     }
 }
 

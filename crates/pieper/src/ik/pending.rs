@@ -64,7 +64,13 @@ impl Pending {
         let mut entries = [[0.0; GROUP]; ENTRIES];
         let canonical = arm.chain().canonical();
         if group::poses(canonical, &measured.q, &mut entries) {
-            measured.misses = Some(misses(&entries, pose));
+            let mut most = [[0.0; GROUP]; 2];
+            Arch::new().dispatch(Misses {
+                entries: &entries,
+                pose,
+                most: &mut most,
+            });
+            measured.misses = Some(most);
         }
         measured
     }
@@ -116,19 +122,39 @@ impl Measured {
     }
 }
 
-#[inline]
-fn misses(entries: &[[f64; GROUP]; ENTRIES], pose: &Pose) -> [[f64; GROUP]; 2] {
-    let mut most = [[0.0_f64; GROUP]; 2];
-    let rotation = pose.rotation.matrix().iter();
-    let wanted = rotation.chain(pose.translation.vector.iter());
-    for (index, (values, &wanted)) in entries.iter().zip(wanted).enumerate() {
-        let most = &mut most[index / 9];
-        for lane in 0..GROUP {
-            let miss = (values[lane] - wanted).abs();
-            most[lane] = if miss <= most[lane] { most[lane] } else { miss };
+/// The largest differences from a pose, compiled for the registers that the processor has.
+struct Misses<'a> {
+    entries: &'a [[f64; GROUP]; ENTRIES],
+    pose: &'a Pose,
+    most: &'a mut [[f64; GROUP]; 2],
+}
+
+impl WithSimd for Misses<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let wanted = [
+            self.pose.rotation.matrix().as_slice(),
+            self.pose.translation.vector.as_slice(),
+        ];
+        let (rotations, positions) = self.entries.split_at(9);
+        for ((wanted, values), out) in wanted
+            .iter()
+            .zip([rotations, positions])
+            .zip(self.most.iter_mut())
+        {
+            // In registers until the end: what is stored and loaded again waits.
+            let mut most = [0.0_f64; GROUP];
+            for (values, &wanted) in values.iter().zip(wanted.iter()) {
+                for lane in 0..GROUP {
+                    let miss = (values[lane] - wanted).abs();
+                    most[lane] = if miss <= most[lane] { most[lane] } else { miss };
+                }
+            }
+            *out = most;
         }
     }
-    most
 }
 
 /// Adding it rounds a double below 2^51 to an integer.

@@ -166,7 +166,13 @@ fn seven_joints_have_families() {
             let pose = tool_pose(solver.chain(), &q).unwrap();
             let found = solver.solve(&pose).unwrap();
             assert_eq!(found.status(), Status::Redundant, "{id} {q:?}");
-            assert!(!found.families().is_empty(), "{id} {q:?}");
+            // Spherical shoulder and wrist: elbow, shoulder and wrist have two ways each, some of them out of range.
+            let least = if solver.choice().name == "swivel" {
+                4
+            } else {
+                1
+            };
+            assert!(found.families().len() >= least, "{id} {q:?}");
             for family in found.families() {
                 for sample in solver.samples(family, 8) {
                     let miss = difference(&tool_pose(solver.chain(), &sample).unwrap(), &pose);

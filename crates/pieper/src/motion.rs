@@ -5,7 +5,7 @@
 //! are kept can be told from the rows and the profile alone: see [`excesses`].
 //!
 //! A [`PoseLaw`] passes through poses of the tool, straight in space; [`track`](track()) finds all continuous motions
-//! of the joints that follow it.
+//! of the joints that follow it. [`stations`] finds joint values for poses between which the joints go straight.
 
 mod excess;
 mod law;
@@ -19,4 +19,6 @@ pub use law::{Law, State};
 pub use pose_law::PoseLaw;
 pub use profile::Profile;
 pub use sampling::sample_times;
-pub use track::{Deviation, End, Event, Gap, Leg, Switch, Track, TrackOptions, Tracks, track};
+pub use track::{
+    Deviation, End, Event, Gap, Leg, Stations, Switch, Track, TrackOptions, Tracks, stations, track,
+};

@@ -38,6 +38,7 @@ Examples:
   pieper run ar3 examples/ar3-programme.csv --out out/ar3
   pieper run puma560 examples/ar3-programme.csv --out out/puma --profile quintic --limits
   pieper run ar3 examples/ar3-poses.csv --out out/ar3-poses
+  pieper run ar3 examples/ar3-poses.csv --out out/ar3-joints --between joints
   pieper run irb120 examples/irb120-wrist.csv --out out/wrist --start 33,-6,11,50,-41,-55 --deg
 
 MOTION is a table of comma-separated values with a header: the time t in seconds, then the joints as q1, q2, ... \
@@ -48,7 +49,8 @@ reference positions; without it every row is one, or the first and the last of m
 Between rows of joints the joints go straight. Between rows of poses or points the tool goes straight: every branch of \
 the inverse kinematics is followed without jumps, and the best that lives from the first row to the last is run; \
 certificate.txt says what became of each. If none does, the exit code is 1, and the nearest alternative is shown: \
-examples/irb120-reach.csv is such a path.")]
+examples/irb120-reach.csv is such a path. With --between joints the joints go straight from pose to pose by the solutions \
+with the least travel, and the tool's way between them is what it is.")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     source: Source,
@@ -68,6 +70,10 @@ pub(crate) struct Arguments {
     /// Samples per second; every row's own time is always among them
     #[arg(long, value_name = "PER_SECOND", default_value_t = 50.0)]
     rate: f64,
+
+    /// What goes straight between rows of poses or points
+    #[arg(long, value_name = "WHAT", default_value = "tool")]
+    between: Straight,
 
     /// How far the tool may be off its path between rows of poses: metres, and the same number of radians
     #[arg(long, value_name = "METRES", default_value_t = TrackOptions::default().tolerance)]
@@ -106,6 +112,15 @@ enum Course {
     Quintic,
     /// A third of the time speeding up, a third at constant rate, a third slowing down
     Trapezoid,
+}
+
+/// What goes straight between rows of poses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Straight {
+    /// The tool: its path is followed
+    Tool,
+    /// The joints: only the rows' poses are met
+    Joints,
 }
 
 impl From<Course> for Profile {
@@ -150,6 +165,7 @@ impl Arguments {
         self.times(&table.times)?;
         let wishes = Wishes {
             profile: self.profile.into(),
+            joints_go_straight: self.between == Straight::Joints,
             options: TrackOptions {
                 tolerance: self.tolerance,
                 start: self.start(&chain)?,
@@ -159,6 +175,15 @@ impl Arguments {
         let mut progress = Progress::new();
         match motion::of(&chain, table, wishes, &mut progress)? {
             Found::Motion(found) => self.run_motion(robot, chain, *found, &mut progress),
+            Found::Unreachable { row, time, reason } => {
+                progress.finish();
+                let sentence = format!("row {row}, t = {time} s: {reason}");
+                match self.json {
+                    true => output::document(&json!({ "error": sentence }))?,
+                    false => output::answer(&format!("{sentence}\n"))?,
+                }
+                Ok(Outcome::Negative)
+            }
             Found::Nothing(path) => self.refuse(&robot, &chain, &path, &progress),
         }
     }

@@ -205,3 +205,38 @@ fn long_tables_without_marks_have_two_reference_positions() {
         }
     }
 }
+
+#[test]
+fn joints_go_straight_between_poses_if_asked() {
+    let folder = Temporary::new();
+    let out = folder.path("out");
+    let table = folder.path("table.csv");
+    // Reached, beyond reach in the middle for a straight tool; the joints get there all the same.
+    let text = "t,x,y,z,roll,pitch,yaw\n0,0.3,0.25,0.4,3.14159,0,0\n1,-0.3,0.25,0.4,3.14159,0,0\n";
+    fs::write(&table, text).unwrap();
+    let ended = run(
+        "irb120",
+        &table,
+        &out,
+        &["--between", "joints", "--rate", "10"],
+    );
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    let rows = samples(&out);
+    assert_eq!(rows.len(), 11);
+    for (k, row) in rows.iter().enumerate() {
+        let share = k as f64 / 10.0;
+        for (j, value) in row.iter().enumerate() {
+            let straight = rows[0][j] + share * (rows[10][j] - rows[0][j]);
+            assert!((value - straight).abs() < 1e-12, "sample {k}, joint {j}");
+        }
+    }
+    let far = "t,x,y,z,roll,pitch,yaw\n0,0.3,0.25,0.4,3.14159,0,0\n1,3,0.25,0.4,3.14159,0,0\n";
+    fs::write(&table, far).unwrap();
+    let ended = run("irb120", &table, &out, &["--between", "joints"]);
+    assert_eq!(ended.code, 1);
+    assert!(
+        ended.stdout.contains("row 2, t = 1 s: wrist centre"),
+        "{}",
+        ended.stdout
+    );
+}

@@ -34,6 +34,7 @@ mod redundant;
 mod sample;
 mod space;
 mod standing;
+mod stations;
 mod strand;
 mod windings;
 
@@ -46,6 +47,7 @@ pub use plan::{Gap, Leg, Switch};
 use sample::Sampler;
 use space::Space;
 use standing::Home;
+pub use stations::{Stations, stations};
 
 /// How a path is tracked.
 #[derive(Clone, Debug, PartialEq)]

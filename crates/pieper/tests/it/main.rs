@@ -16,6 +16,7 @@ mod measures;
 mod motion;
 mod motion_tables;
 mod orientation;
+mod stations;
 mod support;
 mod tracks;
 mod transmission;

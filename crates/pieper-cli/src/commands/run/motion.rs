@@ -3,7 +3,7 @@
 use pieper::describe::{MotionTable, MotionValues};
 use pieper::ik::Solver;
 use pieper::model::Chain;
-use pieper::motion::{Law, Leg, PoseLaw, Profile, TrackOptions, Tracks, track};
+use pieper::motion::{Law, Leg, PoseLaw, Profile, Stations, TrackOptions, Tracks, stations, track};
 
 use super::progress::Progress;
 use crate::error::Failure;
@@ -61,6 +61,8 @@ impl Path {
 /// How a path is to be followed.
 pub(super) struct Wishes {
     pub(super) profile: Profile,
+    /// Whether the joints go straight between poses, not the tool.
+    pub(super) joints_go_straight: bool,
     pub(super) options: TrackOptions,
 }
 
@@ -74,20 +76,23 @@ pub(super) fn of(
     let (names, note) = reference_positions(&table);
     let poses = match table.values {
         MotionValues::Joints(rows) => {
-            let law = Law::new(table.times.clone(), rows, wishes.profile)?;
-            return Ok(Found::Motion(Box::new(Motion {
-                law,
-                marks: named(&names, &table.times, Some),
-                rows: table.times,
+            return between_stations(
+                Stations::Rows(rows),
+                table.times,
+                &names,
                 note,
-                path: None,
-            })));
+                wishes.profile,
+            );
         }
         MotionValues::Poses(poses) => poses,
         MotionValues::Points(points) => points.iter().map(|points| points.pose).collect(),
     };
-    let law = PoseLaw::new(table.times, poses, wishes.profile)?;
     let solver = Solver::new(chain)?;
+    if wishes.joints_go_straight {
+        let found = stations(&solver, &poses, &wishes.options)?;
+        return between_stations(found, table.times, &names, note, wishes.profile);
+    }
+    let law = PoseLaw::new(table.times, poses, wishes.profile)?;
     let tracks = track(&solver, &law, &wishes.options, &mut |share| {
         progress.track(share);
     })?;
@@ -121,10 +126,44 @@ pub(super) fn of(
     })))
 }
 
+/// A motion that goes straight in joint space from pose to pose.
+fn between_stations(
+    found: Stations,
+    times: Vec<f64>,
+    names: &[(usize, String)],
+    note: Option<String>,
+    profile: Profile,
+) -> Result<Found, Failure> {
+    let rows = match found {
+        Stations::Rows(rows) => rows,
+        Stations::Unreachable { index, reason } => {
+            return Ok(Found::Unreachable {
+                row: index + 1,
+                time: times[index],
+                reason,
+            });
+        }
+    };
+    Ok(Found::Motion(Box::new(Motion {
+        law: Law::new(times.clone(), rows, profile)?,
+        marks: named(names, &times, Some),
+        rows: times,
+        note,
+        path: None,
+    })))
+}
+
 /// What a table led to.
 pub(super) enum Found {
     /// A motion of the joints.
     Motion(Box<Motion>),
+    /// A pose that the arm cannot take, where every one was to be met.
+    Unreachable {
+        /// Counted from 1.
+        row: usize,
+        time: f64,
+        reason: String,
+    },
     /// No part of the path can be reached.
     Nothing(Box<Path>),
 }

@@ -154,6 +154,28 @@ fn shifts(angular: bool, limits: Limits, value: f64) -> Vec<f64> {
     (first..=last).map(|turn| turn as f64 * TAU).collect()
 }
 
+/// Joint values shifted by whole turns to where they are closest to `near` within the limits; `None` if a joint has no
+/// turn that keeps them.
+pub(super) fn beside(
+    space: &Space<'_>,
+    q: &JointVector,
+    near: &JointVector,
+) -> Option<JointVector> {
+    let mut out = space.beside(near, q);
+    for j in 0..space.dof() {
+        let Some(limits) = space.chain.variables()[j].limits else {
+            continue;
+        };
+        let turns = shifts(space.angular[j], limits, q[j]);
+        let copies = turns
+            .iter()
+            .map(|shift| q[j] + shift)
+            .filter(|&value| within(limits, value));
+        out[j] = copies.min_by(|a, b| (a - near[j]).abs().total_cmp(&(b - near[j]).abs()))?;
+    }
+    Some(out)
+}
+
 fn within(limits: Limits, value: f64) -> bool {
     let slack = TOLERANCES.limit;
     limits.lower() - slack <= value && value <= limits.upper() + slack

@@ -1,6 +1,7 @@
 //! `pieper run`
 
 mod certificate;
+mod drives;
 mod figures;
 mod folder;
 mod limits;
@@ -26,6 +27,7 @@ use crate::error::{Failure, Outcome};
 use crate::output;
 use crate::source::{Source, read_text};
 use certificate::Certificate;
+use drives::Drives;
 use folder::Folder;
 use motion::{Found, Motion, Path as ToolPath, Wishes};
 use progress::Progress;
@@ -145,6 +147,8 @@ struct Run {
     recording: Recording,
     /// For a path of the tool: what became of it.
     path: Option<ToolPath>,
+    /// For an arm with a transmission: its motors.
+    drives: Option<Drives>,
     /// What to say where not every row is a reference position.
     note: Option<String>,
     /// The name of the motion's file, without its folder.
@@ -197,8 +201,10 @@ impl Arguments {
     ) -> Result<Outcome, Failure> {
         let times = self.times(&found.rows)?;
         let folder = Folder::make(&self.out)?;
-        let warnings = limits::sentences(&excesses(&found.law, &chain), &chain);
+        let mut warnings = limits::sentences(&excesses(&found.law, &chain), &chain);
         let recording = Recording::make(&chain, &found.law, &found.marks, times, progress)?;
+        let drives = Drives::along(&robot, &recording)?;
+        warnings.extend(drives.iter().flat_map(|drives| drives.warnings.clone()));
         let run = Run {
             robot,
             chain,
@@ -207,6 +213,7 @@ impl Arguments {
             profile: self.profile.into(),
             recording,
             path: found.path,
+            drives,
             note: found.note,
             motion: file_name(&self.motion),
             rate: self.rate,
@@ -365,6 +372,9 @@ fn write(run: &Run, mut folder: Folder, progress: &mut Progress) -> Result<Vec<S
     folder.write("matrices.json", matrices::json(run))?;
     folder.write("samples.csv", samples::csv(run))?;
     folder.write("poses.csv", samples::poses(run))?;
+    if let Some(drives) = &run.drives {
+        folder.write(drives::FILE, drives.csv(&run.recording.times))?;
+    }
     if let Some(path) = &run.path {
         folder.write("joints.csv", samples::joints(run))?;
         write_certificate(&run.certificate(path), &mut folder)?;

@@ -71,7 +71,7 @@ pub(super) fn poses(run: &Run) -> String {
 }
 
 /// The shortest digits that read back to the same number, without negative zeros.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let value = value + 0.0;
     match value != 0.0 && value.abs() < 1e-5 {
         true => format!("{value:e}"),
@@ -80,7 +80,7 @@ fn number(value: f64) -> String {
 }
 
 /// A text as a cell, in quotes where it needs them.
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),
         false => text.to_owned(),

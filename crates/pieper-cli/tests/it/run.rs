@@ -303,7 +303,7 @@ fn motors_that_cannot_follow_are_named() {
     let (table, out) = (folder.path("table.csv"), folder.path("out"));
     // The crank of joint 3 leaves its window first; joint 5 follows at once.
     let text = "t,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n0,0,90,0,0,10,0\n1,0,90,-55,0,10,0\n2,0,90,-55,0,120,0\n";
-    std::fs::write(&table, text).unwrap();
+    fs::write(&table, text).unwrap();
     let run = [
         "run",
         "abb-paper",
@@ -318,7 +318,7 @@ fn motors_that_cannot_follow_are_named() {
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let document: serde_json::Value = serde_json::from_str(&ended.stdout).unwrap();
     let warnings = document["warnings"].to_string();
-    let motors = std::fs::read_to_string(format!("{out}/motors.csv")).unwrap();
+    let motors = fs::read_to_string(format!("{out}/motors.csv")).unwrap();
     let lines: Vec<&str> = motors.lines().collect();
     assert_eq!((lines[0], lines.len()), ("t,m1,m2,m3,m4,m5,m6", 22));
     for (motor, column) in [("m3", 3), ("m5", 5)] {

@@ -316,7 +316,7 @@ fn motors_that_cannot_follow_are_named() {
     ];
     let ended = pieper(&run);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    let document: serde_json::Value = serde_json::from_str(&ended.stdout).unwrap();
+    let document: Value = serde_json::from_str(&ended.stdout).unwrap();
     let warnings = document["warnings"].to_string();
     let motors = fs::read_to_string(format!("{out}/motors.csv")).unwrap();
     let lines: Vec<&str> = motors.lines().collect();

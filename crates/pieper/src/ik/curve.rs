@@ -4,20 +4,25 @@
 //! along the direction, corrected by Newton's method perpendicular to it, tells the two apart, whatever kind of arm
 //! it is.
 
+use std::f64::consts::PI;
+
 use super::TOLERANCES;
 use super::angle::wrap;
-use super::arm::{Arm, Columns, MAX_JOINTS};
+use super::arm::{Arm, Columns, MAX_JOINTS, residuals};
 use super::dense::{LeastSquares, symmetric_eigen};
 use super::descent::newton;
 use super::solutions::JointVector;
 use crate::spatial::Pose;
 
-/// Length of a trial step (radians or extents): far beyond the reach of Newton's method from a double root, where
-/// the error grows with the square of the step.
-const TRIAL: f64 = 0.05;
+/// Lengths of trial steps (radians or extents): far beyond the reach of Newton's method from a double root, where
+/// the error grows with the square of the step. Where a stretched arm leaves a family little room, only the short ones
+/// stay within it.
+const TRIALS: [f64; 3] = [0.05, 0.005, 0.0005];
 
-/// Length of the steps that follow a curve, and the most of them: some six turns in joint space.
+/// Length of the steps that follow a curve, the parts of it that are tried in narrow bends, and the most of them: some six
+/// turns in joint space.
 const STRIDE: f64 = 0.2;
+const PARTS: [f64; 5] = [1.0, 0.25, 0.05, 0.01, 0.0025];
 const MOST_STRIDES: usize = 200;
 
 /// The difference `b - a`, angles modulo whole turns, lengths in extents.
@@ -45,16 +50,76 @@ fn norm(a: &JointVector) -> f64 {
 /// The unit direction in which the pose changes least, in the units of the variables' columns, and that least change.
 pub(super) fn tangent(arm: &Arm, q: &JointVector) -> (JointVector, f64) {
     let (values, vectors) = gram(arm, q);
-    let mut direction = vectors[0];
-    // The sign: the largest entry is positive.
+    (upright(vectors[0]), values[0].max(0.0).sqrt())
+}
+
+/// The direction or its opposite: the largest entry is positive.
+fn upright(direction: JointVector) -> JointVector {
     let largest = direction.iter().fold(
         0.0_f64,
         |most, x| if x.abs() > most.abs() { *x } else { most },
     );
-    if largest < 0.0 {
-        direction.iter_mut().for_each(|x| *x = -*x);
+    direction.map(|x| if largest < 0.0 { -x } else { x })
+}
+
+/// `q` after a step of length `h` along a direction in the units of the variables' columns.
+fn stepped(arm: &Arm, q: &JointVector, direction: &JointVector, h: f64) -> JointVector {
+    let mut next = *q;
+    for (j, value) in next.iter_mut().enumerate().take(arm.chain().dof()) {
+        *value += h * direction[j] * arm.unit(j);
     }
-    (direction, values[0].max(0.0).sqrt())
+    next
+}
+
+/// The unit direction in which solutions of `target` go on at `q`, if they do: [`tangent`], unless two directions change
+/// nothing to first order, as with a straight wrist on a stretched elbow. Of those the one that keeps the pose best to
+/// second order.
+pub(super) fn heading(arm: &Arm, q: &JointVector, target: &Pose) -> JointVector {
+    /// A rate of change of the pose that is none, from a root that is known to half of its digits.
+    const NONE: f64 = 1e-6;
+    let (values, vectors) = gram(arm, q);
+    if !(2..=6).contains(&arm.chain().dof()) || values[1] > NONE * NONE {
+        return upright(vectors[0]);
+    }
+    /// Length of the steps that are compared, both ways so that odd terms do not count.
+    const STEP: f64 = 0.01;
+    let along = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        std::array::from_fn(|j| cos * vectors[0][j] + sin * vectors[1][j])
+    };
+    let change = |angle: f64| -> f64 {
+        let direction: JointVector = along(angle);
+        let at = |h: f64| {
+            let next = stepped(arm, q, &direction, h);
+            let (turn, shift) = residuals(&arm.pose(&next), target);
+            turn.max(shift / arm.extent())
+        };
+        at(STEP) + at(-STEP)
+    };
+    /// Directions compared first; around each that is better than its neighbours lies one valley.
+    const COARSE: usize = 24;
+    const THIRDS: usize = 60;
+    let spacing = PI / COARSE as f64;
+    let coarse: [f64; COARSE] = std::array::from_fn(|k| change(k as f64 * spacing));
+    let (mut best, mut least) = (0.0, f64::INFINITY);
+    for k in 0..COARSE {
+        if coarse[k] > coarse[(k + COARSE - 1) % COARSE] || coarse[k] > coarse[(k + 1) % COARSE] {
+            continue;
+        }
+        let (mut low, mut high) = ((k as f64 - 1.0) * spacing, (k as f64 + 1.0) * spacing);
+        for _ in 0..THIRDS {
+            let third = (high - low) / 3.0;
+            match change(low + third) < change(high - third) {
+                true => high -= third,
+                false => low += third,
+            }
+        }
+        let middle = 0.5 * (low + high);
+        if change(middle) < least {
+            (best, least) = (middle, change(middle));
+        }
+    }
+    upright(along(best))
 }
 
 /// Whether solutions around `q` fill a surface rather than a curve: more than seven joints, or seven of which two
@@ -88,21 +153,21 @@ pub(super) fn advance(
     h: f64,
     target: &Pose,
 ) -> Option<JointVector> {
-    let mut start = *q;
-    for (j, value) in start.iter_mut().enumerate().take(arm.chain().dof()) {
-        *value += h * direction[j] * arm.unit(j);
-    }
+    let start = stepped(arm, q, direction, h);
     let (next, error) = newton(arm, &start, target, Some(direction), ON_CURVE);
     let moved = norm(&difference(arm, q, &next));
-    (error < TOLERANCES.closes && moved < 3.0 * h.abs()).then_some(next)
+    // A short step misses a double root by less: it has to close the better.
+    let closes = TOLERANCES.closes * (h.abs() / TRIALS[0]).min(1.0);
+    (error < closes && moved < 3.0 * h.abs()).then_some(next)
 }
 
 /// The direction of the curve of solutions through `q`, if there is one.
 pub(super) fn grows(arm: &Arm, q: &JointVector, target: &Pose) -> Option<JointVector> {
-    let (direction, _) = tangent(arm, q);
-    [TRIAL, -TRIAL]
+    let direction = heading(arm, q, target);
+    TRIALS
         .iter()
-        .any(|&h| advance(arm, q, &direction, h, target).is_some())
+        .flat_map(|&h| [h, -h])
+        .any(|h| advance(arm, q, &direction, h, target).is_some())
         .then_some(direction)
 }
 
@@ -182,12 +247,12 @@ pub(super) fn follow(
         let mut heading = direction.map(|x| sign * x);
         let mut q = *member;
         for step in 0..MOST_STRIDES {
-            let next = [1.0, 0.25, 0.05]
-                .iter()
-                .find_map(|part| advance(arm, &q, &heading, part * STRIDE, target));
-            let Some(next) = next else { break };
+            let next = PARTS.iter().map(|part| part * STRIDE).find_map(|length| {
+                advance(arm, &q, &heading, length, target).map(|next| (next, length))
+            });
+            let Some((next, length)) = next else { break };
             let home = norm(&difference(arm, &next, member));
-            if step > 2 && home < 0.8 * STRIDE {
+            if step > 2 && home < 0.8 * length {
                 return Followed::Closed;
             }
             if !visit(&next, step == 0) {
@@ -238,7 +303,7 @@ pub(super) fn closest(
 ) -> JointVector {
     let mut at = *at;
     for _ in 0..30 {
-        let (tangent, _) = tangent(arm, &at);
+        let tangent = heading(arm, &at, target);
         let mut step = difference(arm, &at, q);
         step[count..].fill(0.0);
         let seen: f64 = tangent[..count].iter().map(|x| x * x).sum();

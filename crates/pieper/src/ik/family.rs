@@ -134,7 +134,7 @@ impl Solver {
             longest[longest.len() / 2]
         };
         limits::bring(self.arm.chain(), &mut at);
-        let (heading, _) = curve::tangent(&self.arm, &at);
+        let heading = curve::heading(&self.arm, &at, &pose);
         let moved = Family {
             at,
             heading,

@@ -368,9 +368,14 @@ impl Loop {
         if !free {
             self.triangle(arm, outer, index, (turn_between(m, y), false), sink);
         }
-        // Axis e is parallel to the three: it may stand anywhere, within the triangle's reach. Or nearly so, and the
-        // arm misses its class: it may stand anywhere as a start.
-        if free || shortest < 16.0 * self.slack {
+        if free {
+            // Axis e is parallel to the three: it may stand anywhere within the triangle's reach.
+            for e in self.within_reach(arm, outer) {
+                self.triangle(arm, outer, index, (e.sin_cos(), free), sink);
+            }
+        }
+        // Or nearly parallel, and the arm misses its class: it may stand anywhere as a start.
+        if shortest < 16.0 * self.slack {
             for k in 0..ANYWHERE {
                 let e = k as f64 * TAU / ANYWHERE as f64;
                 self.triangle(arm, outer, index, (e.sin_cos(), free), sink);
@@ -378,14 +383,30 @@ impl Loop {
         }
     }
 
-    fn triangle(
-        &self,
-        arm: &ThreeParallel,
-        outer: &Outer,
-        index: usize,
-        (e, free): ((f64, f64), bool),
-        sink: &mut Sink<'_>,
-    ) {
+    /// Where joint e may stand, if it turns about an axis parallel to the three: the middles of both arcs in which the
+    /// triangle closes, or where it comes closest to closing.
+    fn within_reach(&self, arm: &ThreeParallel, outer: &Outer) -> [f64; 2] {
+        // The third corner runs on a circle as e turns: the square of its distance is mean + swing cos(e - top).
+        let square = |e: f64| {
+            let ([x, y], _) = self.corner(outer, e.sin_cos());
+            x * x + y * y
+        };
+        let third = TAU / 3.0;
+        let [one, two, three] = [square(0.0), square(third), square(2.0 * third)];
+        let mean = (one + two + three) / 3.0;
+        let (cos, sin) = (one - mean, (two - three) / 3.0_f64.sqrt());
+        let (swing, top) = (sin.hypot(cos), sin.atan2(cos));
+        let angle = |square: f64| ((square - mean) / swing).clamp(-1.0, 1.0).acos();
+        let [short, long] = arm.triangle.reach();
+        let middle = match swing > 0.0 {
+            true => 0.5 * (angle(short * short) + angle(long * long)),
+            false => 0.0,
+        };
+        [top + middle, top - middle]
+    }
+
+    /// The third corner of the triangle as seen from the first axis, and the direction behind it.
+    fn corner(&self, outer: &Outer, e: (f64, f64)) -> ([f64; 2], [f64; 2]) {
         let mut whole = self.links[0];
         for (turn, link) in [outer.d, e, outer.f].iter().zip(&self.links[1..]) {
             let mut rotation = whole.rotation.into_inner();
@@ -397,7 +418,19 @@ impl Loop {
         let motion = whole.inverse();
         let at = [motion.translation.vector.x, motion.translation.vector.y];
         let m = motion.rotation.matrix();
-        let bends = arm.triangle.solve(at, [m[(0, 0)], m[(1, 0)]], self.slack);
+        (at, [m[(0, 0)], m[(1, 0)]])
+    }
+
+    fn triangle(
+        &self,
+        arm: &ThreeParallel,
+        outer: &Outer,
+        index: usize,
+        (e, free): ((f64, f64), bool),
+        sink: &mut Sink<'_>,
+    ) {
+        let (at, toward) = self.corner(outer, e);
+        let bends = arm.triangle.solve(at, toward, self.slack);
         if let Some(shortfall) = bends.shortfall.filter(|_| !free) {
             sink.fail(shortfall.part, shortfall.amount);
         }
@@ -418,7 +451,7 @@ impl Loop {
     }
 }
 
-/// Places tried for a joint that may stand anywhere.
+/// Starts for a joint that may stand nearly anywhere.
 const ANYWHERE: usize = 16;
 
 fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {

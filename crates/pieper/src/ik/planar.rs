@@ -67,12 +67,18 @@ impl Triangle {
         self.flips[0] * self.flips[1]
     }
 
+    /// The least and the greatest distance of the third axis from the first.
+    pub(super) fn reach(&self) -> [f64; 2] {
+        let [a, b] = self.lengths;
+        [(a - b).abs(), a + b]
+    }
+
     /// The ways to bring the third axis to `at`, and the x axis behind it to the direction `toward`.
     #[inline]
     pub(super) fn solve(&self, at: [f64; 2], toward: [f64; 2], slack: f64) -> Bends {
         let [a, b] = self.lengths;
         let reach = (at[0] * at[0] + at[1] * at[1]).sqrt();
-        let (long, short) = (a + b, (a - b).abs());
+        let [short, long] = self.reach();
         let square = (long - reach) * (long + reach) * (reach - short) * (reach + short)
             / (4.0 * a * a * b * b);
         let cosine = (reach * reach - a * a - b * b) / (2.0 * a * b);

@@ -47,6 +47,8 @@ pub struct Sink<'a> {
     out: &'a mut Solutions,
     shortfall: Option<Shortfall>,
     rejected: bool,
+    /// Some root was found to be several.
+    merged: bool,
     pending: Pending,
 }
 
@@ -61,6 +63,7 @@ impl<'a> Sink<'a> {
             out,
             shortfall: None,
             rejected: false,
+            merged: false,
             pending: Pending::new(),
         }
     }
@@ -246,6 +249,7 @@ impl<'a> Sink<'a> {
                 kept.residual = residual;
                 kept.multiplicity = kept.multiplicity.saturating_add(solution.multiplicity);
                 kept.within_limits = super::limits::within(self.arm.chain(), &middle);
+                self.merged = true;
                 return true;
             }
         }
@@ -359,9 +363,32 @@ impl<'a> Sink<'a> {
         }
     }
 
+    /// Makes families of merged roots that lie on one: on a stretched elbow the wrist is straight only to half of the
+    /// digits until the roots have merged, and no row sees that it is.
+    #[cold]
+    fn spread_merged(&mut self) {
+        /// Where no direction changes the pose more slowly than this, roots have merged in number only.
+        const SINGULAR: f64 = 1e-5;
+        let mut index = 0;
+        while index < self.out.len {
+            let solution = self.out.list[index];
+            let singular =
+                || solution.multiplicity > 1 && curve::tangent(self.arm, &solution.q).1 < SINGULAR;
+            if singular() && self.add_family(&solution) {
+                self.out.list.copy_within(index + 1..self.out.len, index);
+                self.out.len -= 1;
+            } else {
+                index += 1;
+            }
+        }
+    }
+
     /// Draws the conclusion.
     pub(super) fn finish(mut self) {
         self.flush();
+        if self.merged && self.arm.chain().dof() <= 6 {
+            self.spread_merged();
+        }
         if self.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
             self.rescue();
         }

@@ -88,6 +88,45 @@ fn singular_poses_have_families_or_merged_roots() {
     }
 }
 
+/// A straight wrist on a stretched elbow: two directions keep the pose to first order, only one of them truly.
+#[test]
+fn a_family_stays_one_where_another_joint_is_singular_too() {
+    let mut random = fastrand::Rng::with_seed(8);
+    let mut alone = Vec::new();
+    for (id, solver, joint, value) in singular_values() {
+        let mut q = random_joints(solver.chain(), &mut random);
+        q[joint] = value;
+        let pose = tool_pose(solver.chain(), &q).unwrap();
+        let family = solver.solve(&pose).unwrap().status() == Status::Singular;
+        alone.push((id, solver, joint, value, family));
+    }
+    let mut tried = 0;
+    for (id, solver, joint, value, _) in alone.iter().filter(|case| case.4) {
+        // Two families that meet would be a surface.
+        let others = alone
+            .iter()
+            .filter(|case| case.0 == *id && case.2 != *joint && !case.4);
+        for (_, _, other, also, _) in others {
+            for _ in 0..10 {
+                let mut q = random_joints(solver.chain(), &mut random);
+                (q[*joint], q[*other]) = (*value, *also);
+                let pose = tool_pose(solver.chain(), &q).unwrap();
+                let found = solver.solve(&pose).unwrap();
+                let what = format!("{id}: joint {joint} at {value}, {other} at {also}: {q:?}");
+                assert_eq!(
+                    found.status(),
+                    Status::Singular,
+                    "{what}: {:?}",
+                    found.as_slice()
+                );
+                assert!(contains(solver, &q, &found, 1e-6), "{what}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 300, "{tried}");
+}
+
 /// The wrist centre of the AR3 brought to axis 1, or close to it.
 #[test]
 fn wrist_centre_near_axis_1() {

@@ -1,0 +1,241 @@
+//! Bodies of every built-in arm, files that are right and wrong, rays against all triangles.
+
+use nalgebra::{Isometry3, Point3, Vector3};
+use pieper_scene::{Body, Frames, Mesh, Picker, formats, outline, shapes};
+
+#[test]
+fn every_built_in_arm_has_a_body() {
+    let mut random = fastrand::Rng::with_seed(1);
+    for built_in in pieper_robots::ALL {
+        let robot = built_in.robot();
+        let Ok(chain) = robot.chain() else { continue };
+        let body = Body::of_chain(&chain);
+        assert_eq!(
+            body.links.len(),
+            Frames::Axes.count(&chain),
+            "{}",
+            built_in.id
+        );
+        assert!(
+            body.links.iter().skip(1).all(|parts| !parts.is_empty()),
+            "{}",
+            built_in.id
+        );
+        assert!(
+            body.shown().count() <= 40,
+            "{}: what is drawn in one go",
+            built_in.id
+        );
+        let reach = pieper::kinematics::reach(&chain).unwrap().from_base;
+        let q: Vec<f64> = chain
+            .variables()
+            .iter()
+            .map(|_| random.f64() - 0.5)
+            .collect();
+        let mut poses = Vec::new();
+        Frames::Axes.at(&chain, &q, &mut poses);
+        for (link, part) in body.shown() {
+            for (p, n) in part.mesh.positions.iter().zip(&part.mesh.normals) {
+                let place = poses[link] * part.placed * Point3::from(p.map(f64::from));
+                assert!(
+                    place.coords.norm() < 2.5 * reach,
+                    "{}: {place}",
+                    built_in.id
+                );
+                assert!(
+                    (Vector3::from(*n).norm() - 1.0).abs() < 1e-5,
+                    "{}",
+                    built_in.id
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn axes_frames_end_at_the_tool() {
+    let chain = pieper_robots::find("ar3").unwrap().robot().chain().unwrap();
+    let q = [0.3, -0.4, 0.9, 1.2, -0.7, 0.2];
+    let mut poses = Vec::new();
+    Frames::Axes.at(&chain, &q, &mut poses);
+    let last = poses.last().unwrap() * pieper_scene::frames::isometry(&chain.canonical().link(5));
+    let tool = pieper::kinematics::tool_pose(&chain, &q).unwrap();
+    assert!((last.to_homogeneous() - tool.to_homogeneous()).amax() < 1e-14);
+}
+
+#[test]
+fn rays_meet_what_all_triangles_say() {
+    let chain = pieper_robots::find("irb2400")
+        .unwrap()
+        .robot()
+        .chain()
+        .unwrap();
+    let body = Body::of_chain(&chain);
+    let picker = Picker::new(&body);
+    let mut random = fastrand::Rng::with_seed(2);
+    let mut poses = Vec::new();
+    let mut hits = 0;
+    for _ in 0..400 {
+        let q: Vec<f64> = (0..6).map(|_| 2.0 * random.f64() - 1.0).collect();
+        Frames::Axes.at(&chain, &q, &mut poses);
+        let mut any = || Vector3::new(random.f64() - 0.5, random.f64() - 0.5, random.f64() - 0.5);
+        let origin = Point3::from(any() * 6.0);
+        let direction = poses[3].translation.vector + any() - origin.coords;
+        let hit = picker.pick(&origin, &direction, &poses);
+        let slow = body
+            .shown()
+            .flat_map(|(link, part)| {
+                let pose = poses[link] * part.placed;
+                (0..part.mesh.triangles()).filter_map(move |t| {
+                    distance(&origin, &direction, part.mesh.triangle(t).map(|p| pose * p))
+                })
+            })
+            .fold(f64::INFINITY, f64::min);
+        match hit {
+            Some(hit) => {
+                assert!(
+                    (hit.distance - slow).abs() < 1e-9,
+                    "{} {slow}",
+                    hit.distance
+                );
+                assert!(hit.normal.dot(&direction) <= 0.0);
+                hits += 1;
+            }
+            None => assert!(slow.is_infinite(), "{slow}"),
+        }
+    }
+    assert!(hits > 50, "{hits}");
+    assert_eq!(
+        picker.pick(&Point3::origin(), &Vector3::zeros(), &poses),
+        None
+    );
+    assert_eq!(
+        picker.pick(&Point3::origin(), &Vector3::from([f64::NAN; 3]), &poses),
+        None
+    );
+}
+
+/// By solving for the place in the triangle's own coordinates.
+fn distance(
+    origin: &Point3<f64>,
+    direction: &Vector3<f64>,
+    [a, b, c]: [Point3<f64>; 3],
+) -> Option<f64> {
+    let m = nalgebra::Matrix3::from_columns(&[b - a, c - a, -direction]);
+    let x = m.try_inverse()? * (origin - a);
+    (x.x >= 0.0 && x.y >= 0.0 && x.x + x.y <= 1.0 && x.z > 0.0).then_some(x.z)
+}
+
+#[test]
+fn stl_and_obj_say_the_same() {
+    let cube = shapes::block([0.2, 0.4, 0.6], 0.0);
+    let mut binary = vec![0; 80];
+    binary.extend((cube.triangles() as u32).to_le_bytes());
+    let (mut text, mut obj) = (String::from("solid cube\n"), String::new());
+    for t in 0..cube.triangles() {
+        binary.extend([0; 12]);
+        for corner in cube.triangle(t) {
+            for k in 0..3 {
+                binary.extend((corner[k] as f32).to_le_bytes());
+            }
+            text += &format!("  vertex {} {} {}\n", corner.x, corner.y, corner.z);
+            obj += &format!("v {} {} {}\n", corner.x, corner.y, corner.z);
+        }
+        binary.extend([0; 2]);
+        obj += "f -3/1/1 -2//1 -1\n";
+    }
+    let read = |name: &str, bytes: &[u8]| formats::read(name, bytes).unwrap().remove(0).mesh;
+    let first = read("cube.STL", &binary);
+    assert_eq!(first, read("cube.stl", text.as_bytes()));
+    assert_eq!(first, read("cube.obj", obj.as_bytes()));
+    assert_eq!(first.bounds(), cube.bounds());
+}
+
+#[test]
+fn broken_meshes_say_what_is_wrong() {
+    for (name, bytes, words) in [
+        ("a.stl", &b""[..], "no triangles"),
+        ("a.stl", b"solid x\nvertex 1 2\n", "line 2"),
+        ("a.stl", &[0xff; 200], "announces"),
+        ("a.obj", b"v 1 2 3\nf 1 2 3\n", "line 2"),
+        ("a.obj", b"v 1 two 3\n", "line 1"),
+        ("a.step", b"", ".step"),
+    ] {
+        let error = formats::read(name, bytes).unwrap_err();
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+#[test]
+fn whatever_is_read_does_not_panic() {
+    let mut random = fastrand::Rng::with_seed(3);
+    for round in 0..20_000 {
+        let mut bytes: Vec<u8> = match round % 3 {
+            0 => b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec(),
+            1 => b"solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n".to_vec(),
+            _ => shapes::block([1.0; 3], 0.0).to_bytes(),
+        };
+        for _ in 0..1 + random.usize(..6) {
+            let place = random.usize(..bytes.len());
+            bytes[place] = random.u8(..);
+        }
+        bytes.truncate(1 + random.usize(..bytes.len()));
+        let _ = formats::read("x.stl", &bytes);
+        let _ = formats::read("x.obj", &bytes);
+        if let Some(mesh) = Mesh::from_bytes(&bytes) {
+            assert!(
+                mesh.indices
+                    .iter()
+                    .all(|i| (*i as usize) < mesh.positions.len())
+            );
+        }
+    }
+}
+
+#[test]
+fn outlines_hold_what_is_reached() {
+    let chain = pieper_robots::find("ar3").unwrap().robot().chain().unwrap();
+    let line = outline::outline(&chain);
+    let reach = pieper::kinematics::reach(&chain).unwrap().from_first_axis;
+    let far = line.iter().map(|p| p[0]).fold(0.0, f64::max);
+    assert!(
+        far <= reach + 1e-12 && far > 0.97 * reach,
+        "{far} of {reach}"
+    );
+    let gantry = pieper_robots::find("gantry")
+        .unwrap()
+        .robot()
+        .chain()
+        .unwrap();
+    assert!(outline::outline(&gantry).is_empty());
+}
+
+#[test]
+fn shapes_are_closed_and_face_out() {
+    for mesh in [
+        shapes::sphere(0.5),
+        shapes::cylinder(0.3, 1.0, 0.05),
+        shapes::cylinder(0.3, 1.0, 0.0),
+        shapes::limb(0.3, 0.2, 1.0),
+        shapes::block([1.0, 2.0, 3.0], 0.1),
+    ] {
+        // The volume by the divergence theorem is positive, and independent of where the origin is.
+        let volume = |from: Vector3<f64>| -> f64 {
+            (0..mesh.triangles())
+                .map(|t| {
+                    let [a, b, c] = mesh.triangle(t).map(|p| p.coords - from);
+                    a.dot(&b.cross(&c)) / 6.0
+                })
+                .sum()
+        };
+        let (here, there) = (
+            volume(Vector3::zeros()),
+            volume(Vector3::new(5.0, -3.0, 7.0)),
+        );
+        assert!(here > 0.0 && (here - there).abs() < 1e-4, "{here} {there}");
+    }
+    let moved = shapes::along(&Point3::origin(), &Point3::new(0.0, 0.0, -2.0)).unwrap();
+    assert!(((moved * Vector3::z()) + Vector3::z()).norm() < 1e-12);
+    assert!(shapes::along(&Point3::origin(), &Point3::origin()).is_none());
+    let _: Isometry3<f64> = moved;
+}

@@ -10,6 +10,7 @@ mod info;
 mod motors;
 mod robots;
 mod run;
+mod studio;
 
 use clap::Subcommand;
 
@@ -36,6 +37,8 @@ pub(crate) enum Command {
     Codegen(codegen::Arguments),
     /// Inverse kinematics: a pose in, every solution out
     Ik(ik::Arguments),
+    /// Show a robot in 3D, in the browser: move it, drag it, play motions
+    Studio(studio::Arguments),
 }
 
 impl Command {
@@ -51,6 +54,7 @@ impl Command {
             Self::Check(arguments) => arguments.run(),
             Self::Codegen(arguments) => arguments.run(),
             Self::Ik(arguments) => arguments.run(),
+            Self::Studio(arguments) => arguments.run(),
         }
     }
 }

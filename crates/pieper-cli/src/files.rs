@@ -75,3 +75,68 @@ impl Resources for Files {
         std::env::var(name).ok()
     }
 }
+
+/// The mesh files that a description names.
+pub(crate) struct Meshes {
+    /// The description's own folder.
+    folder: PathBuf,
+    files: Files,
+}
+
+/// The largest mesh file that is read.
+const LARGEST_MESH: u64 = 256 << 20;
+
+impl Meshes {
+    /// For the description at `path`.
+    pub(crate) fn new(path: &Path, files: Files) -> Self {
+        let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let folder = absolute.parent().map_or_else(PathBuf::new, Path::to_owned);
+        Self { folder, files }
+    }
+
+    /// The bytes at an address: `package://NAME/...`, `file://...`, or a path seen from the description.
+    ///
+    /// # Errors
+    /// A sentence that names the path tried.
+    pub(crate) fn read(&self, uri: &str) -> std::result::Result<Vec<u8>, String> {
+        let path = match (uri.strip_prefix("package://"), uri.strip_prefix("file://")) {
+            (Some(rest), _) => {
+                let (name, rest) = rest
+                    .split_once('/')
+                    .ok_or("package://NAME/PATH was expected")?;
+                let folder = self.files.package(name);
+                let folder = folder.ok_or_else(|| format!("the package {name} was not found: say where it is with --package {name}=FOLDER"))?;
+                // A description must not lead out of the package that it names.
+                let root = Path::new(&folder)
+                    .canonicalize()
+                    .map_err(|error| format!("{folder}: {error}"))?;
+                let path = root.join(rest);
+                let real = path
+                    .canonicalize()
+                    .map_err(|error| format!("{}: {error}", path.display()))?;
+                if !real.starts_with(&root) {
+                    return Err(format!(
+                        "{} leads out of the package {name}",
+                        path.display()
+                    ));
+                }
+                real
+            }
+            (None, Some(rest)) => PathBuf::from(rest),
+            (None, None) if uri.contains("://") => {
+                return Err("only package:// and file:// are read".to_owned());
+            }
+            (None, None) => self.folder.join(uri),
+        };
+        let shown = path.display();
+        let size = std::fs::metadata(&path)
+            .map_err(|error| format!("{shown}: {error}"))?
+            .len();
+        if size > LARGEST_MESH {
+            return Err(format!(
+                "{shown}: it has {size} bytes, at most {LARGEST_MESH} are read"
+            ));
+        }
+        std::fs::read(&path).map_err(|error| format!("{shown}: {error}"))
+    }
+}

@@ -8,7 +8,7 @@ use pieper::describe::{Expr, Robot, urdf, xacro};
 use pieper::model::Tree;
 
 use crate::error::Failure;
-use crate::files::Files;
+use crate::files::{Files, Meshes};
 
 /// Files above this size are refused before they are read: no arm's description is that large.
 const MAX_BYTES: u64 = 64 << 20;
@@ -55,6 +55,17 @@ impl Source {
             values.push((name, expr));
         }
         Ok(robot.with_parameters(values)?)
+    }
+
+    /// The name that it was asked for by.
+    pub(crate) fn name(&self) -> &str {
+        &self.robot
+    }
+
+    /// Where the meshes lie that its description names.
+    pub(crate) fn meshes(&self) -> Result<Meshes, Failure> {
+        let path = Path::new(&self.robot);
+        Ok(Meshes::new(path, Files::new(path, &self.package)?))
     }
 
     fn read(&self) -> Result<Robot, Failure> {

@@ -1,0 +1,98 @@
+//! HTTP and WebSocket around a session: WIRE.md sections 1 to 3.
+
+mod assets;
+mod hub;
+mod routes;
+mod security;
+mod socket;
+
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use tokio::net::TcpListener;
+use tokio::runtime::Runtime;
+
+use crate::arm::Arm;
+use crate::session::Session;
+use hub::Hub;
+use security::Keys;
+
+/// How a studio is started.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The port; 0 for one that is free.
+    pub port: u16,
+    /// The project file that is kept up to date, if any.
+    pub project: Option<PathBuf>,
+}
+
+/// A studio that listens.
+pub struct Studio {
+    runtime: Runtime,
+    listener: TcpListener,
+    state: Arc<State>,
+}
+
+/// What every request sees.
+struct State {
+    hub: Hub,
+    keys: Keys,
+}
+
+impl Studio {
+    /// Binds the port on this computer only; nothing is served yet.
+    ///
+    /// # Errors
+    /// A sentence: the port is in use (and what to do then), or the system refuses.
+    pub fn bind(arm: Arm, options: &Options) -> Result<Self, String> {
+        let runtime =
+            Runtime::new().map_err(|error| format!("the studio could not be started: {error}"))?;
+        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
+        let listener = runtime.block_on(TcpListener::bind(address)).map_err(|error| match error.kind() {
+            std::io::ErrorKind::AddrInUse => format!(
+                "port {} is in use, perhaps by another studio: choose one with --port N, or leave --port out for a free one",
+                options.port
+            ),
+            _ => format!("port {}: {error}", options.port),
+        })?;
+        let port = listener
+            .local_addr()
+            .map_err(|error| error.to_string())?
+            .port();
+        let keys =
+            Keys::new(port).map_err(|error| format!("no random numbers could be had: {error}"))?;
+        let state = Arc::new(State {
+            hub: Hub::new(Session::new(arm)),
+            keys,
+        });
+        Ok(Self {
+            runtime,
+            listener,
+            state,
+        })
+    }
+
+    /// The address to open, with its token.
+    pub fn url(&self) -> String {
+        self.state.keys.url()
+    }
+
+    /// Serves until the process ends.
+    ///
+    /// # Errors
+    /// A sentence if the system takes the port away.
+    pub fn serve(self) -> Result<(), String> {
+        let Self {
+            runtime,
+            listener,
+            state,
+        } = self;
+        runtime.block_on(async {
+            let clock = tokio::spawn(hub::run(Arc::clone(&state)));
+            let served = axum::serve(listener, routes::router(state)).await;
+            clock.abort();
+            served.map_err(|error| format!("the studio stopped: {error}"))
+        })
+    }
+}

@@ -1,0 +1,79 @@
+//! One window's WebSocket.
+
+use std::sync::Arc;
+
+use axum::extract::ws::{Message, WebSocket};
+use futures_util::{SinkExt as _, StreamExt as _};
+use serde_json::{Value, json};
+use tokio::sync::broadcast::error::RecvError;
+
+use super::State;
+use crate::command::Command;
+
+/// Serves one window until it goes.
+pub(super) async fn serve(socket: WebSocket, state: Arc<State>) {
+    let (mut out, mut incoming) = socket.split();
+    let mut changes = state.hub.listen();
+    for message in state.hub.whole() {
+        if out.send(message).await.is_err() {
+            return;
+        }
+    }
+    loop {
+        tokio::select! {
+            message = incoming.next() => {
+                let answer = match message {
+                    Some(Ok(Message::Text(text))) => answer(&state, &text),
+                    Some(Ok(Message::Close(_)) | Err(_)) | None => return,
+                    Some(Ok(_)) => continue,
+                };
+                if let Some(answer) = answer && out.send(Message::Text(answer.into())).await.is_err() {
+                    return;
+                }
+            }
+            change = changes.recv() => {
+                let messages = match change {
+                    Ok(messages) => messages.to_vec(),
+                    // Too slow: everything anew.
+                    Err(RecvError::Lagged(_)) => state.hub.whole(),
+                    Err(RecvError::Closed) => return,
+                };
+                for message in messages {
+                    if out.send(message).await.is_err() {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The answer to a text, if it wants one.
+fn answer(state: &State, text: &str) -> Option<String> {
+    let mut message: Value = match serde_json::from_str(text) {
+        Ok(message) => message,
+        Err(error) => {
+            return Some(json!({"ack": null, "error": format!("no JSON: {error}")}).to_string());
+        }
+    };
+    if let Some(time) = message.get("ping") {
+        return Some(json!({"pong": time}).to_string());
+    }
+    let id = message
+        .as_object_mut()
+        .and_then(|object| object.remove("id"));
+    let result = apply(state, message);
+    let id = id?;
+    Some(match result {
+        Ok(value) => json!({"ack": id, "value": value}).to_string(),
+        Err(error) => json!({"ack": id, "error": error}).to_string(),
+    })
+}
+
+/// Does a command, and wakes whoever tells the windows.
+pub(super) fn apply(state: &State, message: Value) -> Result<Value, String> {
+    let command: Command = serde_json::from_value(message).map_err(|error| error.to_string())?;
+    let result = state.hub.session().apply(command);
+    state.hub.wake();
+    result
+}

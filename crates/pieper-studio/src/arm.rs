@@ -44,7 +44,7 @@ impl Arm {
         let missing = robot.missing_parameters();
         if !missing.is_empty() {
             return Err(format!(
-                "{id}: {} has no value: give one, as in {} = 0.3",
+                "{id}: {} has no value: give one, as in --set {}=0.3",
                 missing.join(", "),
                 missing[0]
             ));

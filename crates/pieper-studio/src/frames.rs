@@ -39,8 +39,6 @@ pub(crate) fn pose(
         out.extend((*value as f32).to_le_bytes());
     }
     push_matrices(&mut out, poses);
-    // No bars yet.
-    out.extend(0_u32.to_le_bytes());
     out
 }
 

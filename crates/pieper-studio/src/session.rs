@@ -208,9 +208,9 @@ impl Session {
         if let Some(q) = self.motion.at(self.motion.time) {
             self.q = q;
         }
-        self.touch(&[Section::Frame]);
+        self.touch(&[Section::Frame, Section::Pose]);
         if !self.motion.playing {
-            self.touch(&[Section::Motion, Section::Pose, Section::Ik]);
+            self.touch(&[Section::Motion, Section::Ik]);
         }
     }
 

@@ -7,6 +7,7 @@ mod fk;
 mod ik_questions;
 mod run;
 mod run_paths;
+mod studio;
 mod support;
 mod symbolic;
 mod transmission;

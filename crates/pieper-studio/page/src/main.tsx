@@ -1,0 +1,10 @@
+import { render } from 'preact';
+import './style.css';
+import { connection } from './state';
+import { App } from './ui/App';
+import { listen } from './ui/keys';
+
+render(<App />, document.getElementById('app')!);
+listen();
+(window as unknown as Record<string, unknown>).pieperConnection = connection;
+void connection.open();

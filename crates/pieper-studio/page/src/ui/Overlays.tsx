@@ -1,0 +1,81 @@
+// What lies over the page: the cheat sheet, the palette, notices.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { hintSeen, letters, overlay, phase, phaseText, said, seen, store, toasts } from '../state';
+import { ACTIONS } from './keys';
+import { Icon, IconButton } from './icons';
+
+function Dialog({ title, children }: { title: string; children: preact.ComponentChildren }) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => dialog.current?.showModal(), []);
+  return (
+    <dialog ref={dialog} aria-label={title} onClose={() => (overlay.value = null)} onClick={(event) => { if (event.target === dialog.current) dialog.current?.close(); }}>
+      <div class="dialog-body">
+        <div class="row spread"><h2>{title}</h2><IconButton icon="close" label="Close" onClick={() => dialog.current?.close()} /></div>
+        {children}
+      </div>
+    </dialog>
+  );
+}
+
+const GESTURES: [string, string][] = [
+  ['Drag a link', 'turn its joint'], ['Ctrl + drag a link', 'the whole arm follows'], ['Drag empty space', 'turn the view'],
+  ['Right or Shift + drag', 'shift the view'], ['Wheel, pinch', 'zoom to the pointer'], ['Double-click a link', 'turn about it'],
+  ['Esc while dragging', 'back to where it began'], ['Touch: hold, then drag', 'take hold of a link'],
+];
+
+function Help() {
+  return (
+    <Dialog title="Keys and gestures">
+      <div class="sheet">
+        <dl>{GESTURES.map(([what, does]) => <><dt key={what}>{what}</dt><dd>{does}</dd></>)}</dl>
+        <dl>{ACTIONS.filter((action) => action.keys).map((action) => <><dt key={action.name}><kbd>{action.keys}</kbd></dt><dd>{action.name}</dd></>)}</dl>
+      </div>
+      <label class="check"><input type="checkbox" checked={letters.value} onChange={(event) => { letters.value = event.currentTarget.checked; store('letters', letters.value ? 'on' : 'off'); }} /> Single letters act as keys</label>
+    </Dialog>
+  );
+}
+
+function Palette() {
+  const [text, setText] = useState('');
+  const [at, setAt] = useState(0);
+  const found = ACTIONS.filter((action) => action.name.toLowerCase().includes(text.toLowerCase()));
+  const run = (index: number): void => {
+    overlay.value = null;
+    found[index]?.run();
+  };
+  return (
+    <Dialog title="Commands">
+      <input class="search" type="text" role="combobox" aria-expanded="true" aria-controls="palette-list" aria-label="Search commands" placeholder="Search commands" value={text}
+        ref={(input) => input?.focus()} onInput={(event) => { setText(event.currentTarget.value); setAt(0); }}
+        onKeyDown={(event) => {
+          if (event.key === 'ArrowDown' || event.key === 'ArrowUp') { event.preventDefault(); setAt((at + (event.key === 'ArrowDown' ? 1 : found.length - 1)) % Math.max(1, found.length)); }
+          if (event.key === 'Enter') run(at);
+        }} />
+      <ul class="palette" id="palette-list" role="listbox" aria-label="Commands">
+        {found.map((action, index) => <li key={action.name} role="option" aria-selected={index === at} onClick={() => run(index)}><span>{action.name}</span>{action.keys && <kbd>{action.keys}</kbd>}</li>)}
+      </ul>
+    </Dialog>
+  );
+}
+
+export function Overlays() {
+  return (
+    <>
+      {overlay.value === 'help' && <Help />}
+      {overlay.value === 'palette' && <Palette />}
+      {phase.value === 'lost' && <div class="notice" role="alert"><Icon name="warn" /> The connection to the program is lost. Trying again…</div>}
+      {phase.value === 'refused' && <div class="notice" role="alert"><Icon name="warn" /> {phaseText.value}</div>}
+      <div class="toasts">{toasts.value.map((toast) => <div key={toast.id} class={`toast ${toast.kind}`} role={toast.kind === 'error' ? 'alert' : 'status'}>{toast.text}</div>)}</div>
+      {!hintSeen.value && (
+        <div class="hint" role="note">
+          <p><strong>Drag a link</strong> to turn its joint.</p>
+          <p><strong>Ctrl + drag</strong> pulls the whole arm.</p>
+          <p><strong>?</strong> shows every key and gesture.</p>
+          <button type="button" class="link" onClick={seen}>Got it</button>
+        </div>
+      )}
+      <div class="visually-hidden" aria-live="polite">{said.value}</div>
+    </>
+  );
+}

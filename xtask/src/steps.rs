@@ -63,28 +63,41 @@ fn documentation() -> bool {
     run("documentation", command)
 }
 
-/// Octave, which runs the generated MATLAB code: installed where Debian's packages are at hand. Without it that test is
-/// left out with a word about it.
+/// Octave, which runs the generated MATLAB code. Without it that test is left out with a word about it.
 fn octave() {
-    let found = |program: &str| {
-        let mut command = Command::new(program);
-        command
-            .arg("--version")
-            .stdout(Stdio::null())
-            .stderr(Stdio::null());
-        command.status().is_ok_and(|status| status.success())
-    };
-    let in_integration = std::env::var_os("CI").is_some();
-    if !in_integration || found("octave-cli") || !found("apt-get") {
+    if !found("octave-cli") {
+        install("Octave", "octave");
+    }
+}
+
+/// Whether the project's continuous integration runs this, rather than a person.
+pub(crate) fn in_integration() -> bool {
+    std::env::var_os("CI").is_some()
+}
+
+/// Whether a program is there.
+pub(crate) fn found(program: &str) -> bool {
+    let mut command = Command::new(program);
+    command
+        .arg("--version")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// Installs a package in the continuous integration where Debian's packages are at hand; on a person's computer nothing is
+/// installed.
+pub(crate) fn install(step: &str, package: &str) {
+    if !in_integration() || !found("apt-get") {
         return;
     }
     let mut update = Command::new("apt-get");
     update.args(["update", "-qq"]);
     let mut install = Command::new("apt-get");
     install
-        .args(["install", "-y", "-qq", "--no-install-recommends", "octave"])
+        .args(["install", "-y", "-qq", "--no-install-recommends", package])
         .env("DEBIAN_FRONTEND", "noninteractive");
-    let _ = run("package lists", update) && run("Octave", install);
+    let _ = run("package lists", update) && run(step, install);
 }
 
 fn has_nextest() -> bool {

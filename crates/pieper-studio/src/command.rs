@@ -87,6 +87,8 @@ pub enum Command {
     ScriptSave {
         text: String,
     },
+    ScriptExamples {},
+    ScriptHelp {},
     Undo {},
     Redo {},
     Open {

@@ -11,6 +11,7 @@ mod frames;
 mod history;
 mod motion;
 mod quantity;
+mod script;
 mod sections;
 mod server;
 mod session;

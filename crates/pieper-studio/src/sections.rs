@@ -70,7 +70,7 @@ impl Session {
             Section::Pose => self.pose_section(),
             Section::Ik => self.ik_section(),
             Section::Motion => self.motion_section(),
-            Section::Script => json!({"text": self.script}),
+            Section::Script => self.script_status.value(&self.script),
             Section::History => {
                 let [undo, redo] = self.labels();
                 json!({"undo": undo, "redo": redo})

@@ -3,6 +3,7 @@
 mod assets;
 mod hub;
 mod routes;
+mod scripts;
 mod security;
 mod socket;
 
@@ -16,6 +17,7 @@ use tokio::runtime::Runtime;
 use crate::arm::Arm;
 use crate::session::Session;
 use hub::Hub;
+use scripts::Scripts;
 use security::Keys;
 
 /// How a studio is started.
@@ -38,6 +40,7 @@ pub struct Studio {
 struct State {
     hub: Hub,
     keys: Keys,
+    scripts: Scripts,
 }
 
 impl Studio {
@@ -65,6 +68,7 @@ impl Studio {
         let state = Arc::new(State {
             hub: Hub::new(Session::new(arm)),
             keys,
+            scripts: Scripts::default(),
         });
         Ok(Self {
             runtime,
@@ -88,6 +92,7 @@ impl Studio {
             listener,
             state,
         } = self;
+        state.look_for_python();
         runtime.block_on(async {
             let clock = tokio::spawn(hub::run(Arc::clone(&state)));
             let served = axum::serve(listener, routes::router(state)).await;

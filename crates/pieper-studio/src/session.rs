@@ -14,6 +14,7 @@ use crate::command::{Command, MethodName, Named, Ray};
 use crate::drag::Drag;
 use crate::history::History;
 use crate::motion::{Keyframe, Motion};
+use crate::script;
 use crate::sections::Section;
 
 /// What undo goes back to.
@@ -46,6 +47,7 @@ pub struct Session {
     pub(crate) on_family: Option<(usize, Vec<Vec<f64>>)>,
     pub(crate) motion: Motion,
     pub(crate) script: String,
+    pub(crate) script_status: script::Status,
     pub(crate) log: Vec<LogLine>,
     pub(crate) revision: u32,
     history: History<Snapshot>,
@@ -73,6 +75,7 @@ impl Session {
             on_family: None,
             motion: Motion::default(),
             script: String::new(),
+            script_status: script::Status::default(),
             log: Vec::new(),
             revision: 1,
             history: History::default(),
@@ -192,6 +195,8 @@ impl Session {
                 self.script = text;
                 self.touch(&[Section::Script]);
             }
+            Command::ScriptExamples {} => return Ok(script::examples()),
+            Command::ScriptHelp {} => return Ok(script::help()),
             Command::Undo {} => return self.travel(true),
             Command::Redo {} => return self.travel(false),
             Command::Open { text } => return self.open(&text),
@@ -263,6 +268,37 @@ impl Session {
         }
         self.log.push(LogLine { level, text });
         self.touch(&[Section::Log]);
+    }
+
+    /// A run of the script begins.
+    pub(crate) fn script_begins(&mut self, text: String) {
+        self.script = text;
+        self.script_status.running = true;
+        self.script_status.error = None;
+        self.script_status.ended = None;
+        self.touch(&[Section::Script]);
+    }
+
+    /// A run of the script has ended: where and why it failed, and how, in words.
+    pub(crate) fn script_ended(&mut self, error: Option<(Option<u32>, String)>, ended: &str) {
+        self.script_status.running = false;
+        self.script_status.error = error;
+        self.script_status.ended = Some(ended.to_owned());
+        self.touch(&[Section::Script]);
+    }
+
+    pub(crate) fn is_script_running(&self) -> bool {
+        self.script_status.running
+    }
+
+    /// The Python that scripts run in, once it has been looked for.
+    pub(crate) fn python(&self) -> Option<script::Python> {
+        self.script_status.python.clone()
+    }
+
+    pub(crate) fn python_found(&mut self, python: script::Python) {
+        self.script_status.python = Some(python);
+        self.touch(&[Section::Script]);
     }
 
     fn snapshot(&self) -> Snapshot {

@@ -3,7 +3,7 @@
 import { computed, signal } from '@preact/signals';
 import { Connection, type Phase } from './wire/connection';
 import { decode, type GhostFrame, type PoseFrame } from './wire/frames';
-import type { Command, History, Ik, LogLine, Motion, Pose, Robot, RobotEntry, Samples, Sections } from './wire/types';
+import type { Command, History, Ik, LogLine, Motion, Pose, Robot, RobotEntry, Samples, Script, Sections } from './wire/types';
 import type { Units } from './units';
 
 export const robots = signal<RobotEntry[]>([]);
@@ -13,6 +13,9 @@ export const ik = signal<Ik | null>(null);
 export const motion = signal<Motion | null>(null);
 export const history = signal<History>({ undo: null, redo: null });
 export const log = signal<LogLine[]>([]);
+export const script = signal<Script | null>(null);
+export interface ConsoleLine { stream: 'out' | 'err' | 'note'; text: string }
+export const consoleLines = signal<ConsoleLine[]>([]);
 export const samples = signal<Samples | null>(null);
 
 /** Joint values as last drawn: sixty times a second while something moves. */
@@ -30,7 +33,7 @@ export const toasts = signal<Toast[]>([]);
 export const said = signal('');
 
 export type Tab = 'joints' | 'tool' | 'ik' | 'robot';
-export type Drawer = 'motion' | 'plots' | 'log' | null;
+export type Drawer = 'motion' | 'plots' | 'script' | 'log' | null;
 export type Theme = 'system' | 'light' | 'dark';
 
 function stored<T extends string>(key: string, values: readonly T[], first: T): T {
@@ -105,6 +108,7 @@ const into: { [K in keyof Sections]?: (value: Sections[K]) => void } = {
     if (!value.playing) clock.value = value.time;
     if (changed) void fetchSamples();
   },
+  script: (value) => (script.value = value),
   history: (value) => (history.value = value),
   log: (value) => (log.value = value),
 };
@@ -115,7 +119,11 @@ async function fetchSamples(): Promise<void> {
 
 export const connection = new Connection({
   section: (name, value) => (into[name as keyof Sections] as ((value: unknown) => void) | undefined)?.(value),
-  event: () => {},
+  event: (message) => {
+    if (message.event !== 'console') return;
+    const line = { stream: message.stream, text: message.text } as ConsoleLine;
+    consoleLines.value = [...consoleLines.value, line].slice(-500);
+  },
   frame: (buffer) => {
     const frame = decode(buffer);
     if (!frame) return;

@@ -44,6 +44,12 @@ impl Hub {
         self.changed.notify_one();
     }
 
+    /// Tells all windows at once.
+    pub(super) fn tell(&self, messages: Vec<Message>) {
+        // Without windows there is nobody to tell.
+        let _ = self.sent.send(Arc::new(messages));
+    }
+
     pub(super) fn listen(&self) -> broadcast::Receiver<Arc<Vec<Message>>> {
         self.sent.subscribe()
     }
@@ -103,8 +109,7 @@ pub(super) async fn run(state: Arc<State>) {
             hub.messages(&session, &changed)
         };
         if !messages.is_empty() {
-            // Without windows there is nobody to tell.
-            let _ = hub.sent.send(Arc::new(messages));
+            hub.tell(messages);
             if !playing {
                 tokio::time::sleep(PICTURE).await;
             }

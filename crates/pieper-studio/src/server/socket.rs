@@ -49,7 +49,7 @@ pub(super) async fn serve(socket: WebSocket, state: Arc<State>) {
 }
 
 /// The answer to a text, if it wants one.
-fn answer(state: &State, text: &str) -> Option<String> {
+fn answer(state: &Arc<State>, text: &str) -> Option<String> {
     let mut message: Value = match serde_json::from_str(text) {
         Ok(message) => message,
         Err(error) => {
@@ -71,7 +71,24 @@ fn answer(state: &State, text: &str) -> Option<String> {
 }
 
 /// Does a command, and wakes whoever tells the windows.
-pub(super) fn apply(state: &State, message: Value) -> Result<Value, String> {
+pub(super) fn apply(state: &Arc<State>, message: Value) -> Result<Value, String> {
+    match message.get("do").and_then(Value::as_str) {
+        // These two start and stop processes, which a session knows nothing of.
+        Some("script_run") => {
+            let text = message
+                .get("text")
+                .and_then(Value::as_str)
+                .ok_or("script_run: a text was expected")?;
+            let result = state.run_script(text.to_owned());
+            state.hub.wake();
+            return result;
+        }
+        Some("script_stop") => {
+            state.stop_script();
+            return Ok(Value::Null);
+        }
+        _ => {}
+    }
     let command: Command = serde_json::from_value(message).map_err(|error| error.to_string())?;
     let result = state.hub.session().apply(command);
     state.hub.wake();

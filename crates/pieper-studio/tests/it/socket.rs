@@ -8,10 +8,10 @@ use tokio_tungstenite::tungstenite::{Message, client::IntoClientRequest as _};
 
 use crate::support::{Served, serve};
 
-type Window =
+pub(crate) type Window =
     tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>>;
 
-async fn open(studio: &Served) -> Window {
+pub(crate) async fn open(studio: &Served) -> Window {
     let mut request = format!("ws://127.0.0.1:{}/ws", studio.port)
         .into_client_request()
         .unwrap();
@@ -20,7 +20,7 @@ async fn open(studio: &Served) -> Window {
     tokio_tungstenite::connect_async(request).await.unwrap().0
 }
 
-async fn say(window: &mut Window, message: Value) {
+pub(crate) async fn say(window: &mut Window, message: Value) {
     window
         .send(Message::Text(message.to_string().into()))
         .await
@@ -28,7 +28,7 @@ async fn say(window: &mut Window, message: Value) {
 }
 
 /// Reads until a text satisfies the condition.
-async fn until(window: &mut Window, mut wanted: impl FnMut(&Value) -> bool) -> Value {
+pub(crate) async fn until(window: &mut Window, mut wanted: impl FnMut(&Value) -> bool) -> Value {
     let deadline = Duration::from_secs(10);
     loop {
         let message = tokio::time::timeout(deadline, window.next())
@@ -45,7 +45,7 @@ async fn until(window: &mut Window, mut wanted: impl FnMut(&Value) -> bool) -> V
     }
 }
 
-fn is_pose(value: &Value, joint: usize, at: f64) -> bool {
+pub(crate) fn is_pose(value: &Value, joint: usize, at: f64) -> bool {
     value["section"] == "pose" && (value["value"]["q"][joint].as_f64().unwrap() - at).abs() < 1e-9
 }
 

@@ -23,15 +23,21 @@ function Row({ joint, index }: { joint: Joint; index: number }) {
   const step = kind === 'angle' ? 0.1 * DEGREE : 0.0005;
   const near = !joint.unlimited && Math.min(value - lower, upper - value) < NEAR * range;
   const over = pose.value?.over_limit[index] ?? false;
-  const set = (next: number): void => slide.push({ do: 'joint', joint: index, value: next, gesture: name.current });
+  // Keys come faster than answers: the next step starts from what was asked for.
+  const asked = useRef({ value, at: 0 });
+  const set = (next: number): void => {
+    asked.current = { value: next, at: performance.now() };
+    slide.push({ do: 'joint', joint: index, value: next, gesture: name.current });
+  };
   const key = (event: KeyboardEvent): void => {
     const direction = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
     if (direction === undefined) return;
     event.preventDefault();
     event.stopPropagation();
     if (!event.repeat) name.current = gesture(`key-${index}`);
+    const from = performance.now() - asked.current.at < 200 ? asked.current.value : value;
     const size = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
-    set(Math.min(upper, Math.max(lower, value + direction * size * (kind === 'angle' ? DEGREE : 0.001))));
+    set(Math.min(upper, Math.max(lower, from + direction * size * (kind === 'angle' ? DEGREE : 0.001))));
   };
   const ticks = kind === 'angle' ? [-90, -45, 0, 45, 90].map((tick) => tick * DEGREE).filter((tick) => tick > lower && tick < upper) : lower < 0 && upper > 0 ? [0] : [];
   const limits = joint.unlimited ? 'no limits' : `limits ${shown(lower, kind, units.value)} to ${shown(upper, kind, units.value)}`;

@@ -1,13 +1,13 @@
 // What lies over the page: the cheat sheet, the palette, notices.
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { hintSeen, letters, overlay, phase, phaseText, said, seen, store, toasts } from '../state';
 import { ACTIONS } from './keys';
 import { Icon, IconButton } from './icons';
 
 function Dialog({ title, children }: { title: string; children: preact.ComponentChildren }) {
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
+  useLayoutEffect(() => dialog.current?.showModal(), []);
   return (
     <dialog ref={dialog} aria-label={title} onClose={() => (overlay.value = null)} onClick={(event) => { if (event.target === dialog.current) dialog.current?.close(); }}>
       <div class="dialog-body">
@@ -47,7 +47,7 @@ function Palette() {
   return (
     <Dialog title="Commands">
       <input class="search" type="text" role="combobox" aria-expanded="true" aria-controls="palette-list" aria-label="Search commands" placeholder="Search commands" value={text}
-        ref={(input) => input?.focus()} onInput={(event) => { setText(event.currentTarget.value); setAt(0); }}
+        autofocus onInput={(event) => { setText(event.currentTarget.value); setAt(0); }}
         onKeyDown={(event) => {
           if (event.key === 'ArrowDown' || event.key === 'ArrowUp') { event.preventDefault(); setAt((at + (event.key === 'ArrowDown' ? 1 : found.length - 1)) % Math.max(1, found.length)); }
           if (event.key === 'Enter') run(at);

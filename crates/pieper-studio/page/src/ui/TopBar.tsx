@@ -34,12 +34,12 @@ export function TopBar() {
   return (
     <header class="top">
       <span class="brand"><svg viewBox="0 0 32 32" aria-hidden="true"><path d="M9 25h14M12 25l-1-9 9-6 4 4" /><circle cx="11" cy="16" r="2.6" /><circle cx="20" cy="10" r="2.6" /></svg><span>pieper</span></span>
-      <label class="picker"><span class="visually-hidden">Robot</span>
-        <select value={robot.value?.id ?? ''} onChange={(event) => void choose(event.currentTarget)}>
+      <div class="picker">
+        <select aria-label="Robot" value={robot.value?.id ?? ''} onChange={(event) => void choose(event.currentTarget)}>
           {!known && robot.value && <option value={robot.value.id}>{robot.value.name}</option>}
           {robots.value.map((entry) => <option key={entry.id} value={entry.id}>{entry.name}</option>)}
         </select><Icon name="down" />
-      </label>
+      </div>
       <label class="icon-button" title="Open a robot (.toml, .urdf) or a project (.json)"><Icon name="upload" /><span class="visually-hidden">Open a robot or project file</span>
         <input type="file" class="visually-hidden" accept=".toml,.urdf,.xml,.json" onChange={(event) => { const file = event.currentTarget.files?.[0]; if (file) void openFile(file); event.currentTarget.value = ''; }} />
       </label>

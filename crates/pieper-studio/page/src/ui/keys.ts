@@ -2,6 +2,7 @@
 
 import { drawer, letters, overlay, send, show } from '../state';
 import { addKeyframe, playOrPause } from './Drawer';
+import { stopScript } from './Script';
 import { snapshot } from './snapshot';
 import { stepSolution } from './Solutions';
 import { nextUnits, toggleGhosts } from './TopBar';
@@ -38,6 +39,8 @@ export const ACTIONS: Action[] = [
   { name: 'Snapshot at four times the size', keys: '', run: () => void snapshot(4) },
   { name: 'Units', keys: 'U', run: nextUnits },
   { name: 'Plots', keys: '', run: () => (drawer.value = drawer.value === 'plots' ? null : 'plots') },
+  { name: 'Script', keys: '', run: () => (drawer.value = drawer.value === 'script' ? null : 'script') },
+  { name: 'Stop the script', keys: '', run: stopScript },
   { name: 'Undo', keys: 'Ctrl+Z', run: () => void send({ do: 'undo' }) },
   { name: 'Redo', keys: 'Ctrl+Shift+Z', run: () => void send({ do: 'redo' }) },
   { name: 'Save the project', keys: 'Ctrl+S', run: () => location.assign('/api/project.json?download') },

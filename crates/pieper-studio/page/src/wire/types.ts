@@ -56,7 +56,12 @@ export interface History { undo: string | null; redo: string | null }
 export interface LogLine { level: 'info' | 'warning' | 'error'; text: string }
 
 export interface Sections {
-  robots: RobotEntry[]; robot: Robot; pose: Pose; ik: Ik; motion: Motion; history: History; log: LogLine[]; script: { text: string };
+  robots: RobotEntry[]; robot: Robot; pose: Pose; ik: Ik; motion: Motion; history: History; log: LogLine[]; script: Script;
+}
+
+export interface Script {
+  text: string; running: boolean; error: { line: number | null; text: string } | null; ended: string | null;
+  python: { found: boolean; version: string; numpy: boolean; sentence: string } | null;
 }
 
 export type Command = { do: string } & Record<string, unknown>;

@@ -1,7 +1,9 @@
 //! HTTP and WebSocket around a session: WIRE.md sections 1 to 3.
 
 mod assets;
+mod autosave;
 mod hub;
+mod picture;
 mod routes;
 mod scripts;
 mod security;
@@ -14,7 +16,6 @@ use std::sync::Arc;
 use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
 
-use crate::arm::Arm;
 use crate::session::Session;
 use hub::Hub;
 use scripts::Scripts;
@@ -25,7 +26,7 @@ use security::Keys;
 pub struct Options {
     /// The port; 0 for one that is free.
     pub port: u16,
-    /// The project file that is kept up to date, if any.
+    /// A project file to keep up to date, if any.
     pub project: Option<PathBuf>,
 }
 
@@ -34,6 +35,7 @@ pub struct Studio {
     runtime: Runtime,
     listener: TcpListener,
     state: Arc<State>,
+    project: Option<PathBuf>,
 }
 
 /// What every request sees.
@@ -41,6 +43,7 @@ struct State {
     hub: Hub,
     keys: Keys,
     scripts: Scripts,
+    picture: picture::Waiting,
 }
 
 impl Studio {
@@ -48,7 +51,7 @@ impl Studio {
     ///
     /// # Errors
     /// A sentence: the port is in use (and what to do then), or the system refuses.
-    pub fn bind(arm: Arm, options: &Options) -> Result<Self, String> {
+    pub fn bind(session: Session, options: &Options) -> Result<Self, String> {
         let runtime =
             Runtime::new().map_err(|error| format!("the studio could not be started: {error}"))?;
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
@@ -66,14 +69,16 @@ impl Studio {
         let keys =
             Keys::new(port).map_err(|error| format!("no random numbers could be had: {error}"))?;
         let state = Arc::new(State {
-            hub: Hub::new(Session::new(arm)),
+            hub: Hub::new(session),
             keys,
             scripts: Scripts::default(),
+            picture: picture::Waiting::default(),
         });
         Ok(Self {
             runtime,
             listener,
             state,
+            project: options.project.clone(),
         })
     }
 
@@ -91,13 +96,54 @@ impl Studio {
             runtime,
             listener,
             state,
+            project,
         } = self;
         state.look_for_python();
         runtime.block_on(async {
-            let clock = tokio::spawn(hub::run(Arc::clone(&state)));
-            let served = axum::serve(listener, routes::router(state)).await;
-            clock.abort();
-            served.map_err(|error| format!("the studio stopped: {error}"))
+            let saving = project.map(|file| tokio::spawn(autosave::run(Arc::clone(&state), file)));
+            let served = listen(listener, state).await;
+            if let Some(saving) = saving {
+                saving.abort();
+            }
+            served
         })
     }
+
+    /// The present view as a PNG file of a size in pixels, drawn by the page in a browser without a window.
+    ///
+    /// # Errors
+    /// A sentence: no browser is installed, or it does not answer.
+    pub fn picture(self, size: [u32; 2]) -> Result<Vec<u8>, String> {
+        let Self {
+            runtime,
+            listener,
+            state,
+            ..
+        } = self;
+        let [width, height] = size;
+        let url = state
+            .keys
+            .url()
+            .replace("/#", &format!("/?frame={width}x{height}#"));
+        runtime.block_on(async {
+            let told = state.picture.begin();
+            let served = tokio::spawn(listen(listener, state));
+            let browser = picture::Browser::open(&url, size)?;
+            let arrived = tokio::time::timeout(picture::PATIENCE, told).await;
+            drop(browser);
+            served.abort();
+            match arrived {
+                Ok(Ok(picture)) => Ok(picture),
+                _ => Err("the browser was started and drew no picture within a minute".to_owned()),
+            }
+        })
+    }
+}
+
+/// Serves for ever.
+async fn listen(listener: TcpListener, state: Arc<State>) -> Result<(), String> {
+    let clock = tokio::spawn(hub::run(Arc::clone(&state)));
+    let served = axum::serve(listener, routes::router(state)).await;
+    clock.abort();
+    served.map_err(|error| format!("the studio stopped: {error}"))
 }

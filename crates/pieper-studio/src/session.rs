@@ -14,6 +14,7 @@ use crate::command::{Command, MethodName, Named, Ray};
 use crate::drag::Drag;
 use crate::history::History;
 use crate::motion::{Keyframe, Motion};
+use crate::quantity::Quantity;
 use crate::script;
 use crate::sections::Section;
 
@@ -202,6 +203,16 @@ impl Session {
             Command::Open { text } => return self.open(&text),
         }
         Ok(Value::Null)
+    }
+
+    /// Brings the arm to joint values as people type them: `0,45deg,pi/2`.
+    ///
+    /// # Errors
+    /// A sentence that quotes what is no value, or says how many were expected.
+    pub fn pose(&mut self, text: &str) -> Result<(), String> {
+        let values = text.split(',').map(Quantity::parse);
+        let q = values.collect::<Result<Vec<_>, String>>()?;
+        self.apply(Command::Joints { q, gesture: None }).map(|_| ())
     }
 
     /// Lets time pass for a motion that plays.

@@ -4,7 +4,7 @@ use std::io::{BufRead as _, BufReader};
 use std::net::TcpListener;
 use std::process::{Child, Command, Stdio};
 
-use crate::support::pieper;
+use crate::support::{Temporary, pieper};
 
 /// A started studio, stopped at the end.
 struct Started(Child);
@@ -49,4 +49,46 @@ fn what_stands_in_the_way_is_said() {
     assert_eq!(ended.code, 2);
     assert!(ended.stderr.contains("d1"), "{}", ended.stderr);
     assert_eq!(pieper(&["studio", "r2d2", "--no-open"]).code, 2);
+}
+
+#[test]
+fn one_view_is_drawn_without_a_person() {
+    let folder = Temporary::new();
+    let file = folder.path("view.png");
+    let ended = pieper(&[
+        "studio",
+        "irb120",
+        "--q",
+        "20deg,0.3,0.2,0,40deg,0",
+        "--headless-frame",
+        &file,
+        "--size",
+        "320x200",
+    ]);
+    if ended.code == 3 {
+        // Without a browser: the remedy is named.
+        assert!(ended.stderr.contains("chromium"), "{}", ended.stderr);
+        return;
+    }
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    let mut reader =
+        png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&file).unwrap()))
+            .read_info()
+            .unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut pixels).unwrap();
+    assert_eq!((info.width, info.height), (320, 200));
+    let tones: std::collections::HashSet<u8> = pixels.iter().map(|value| value >> 3).collect();
+    assert!(tones.len() > 12, "{} tones", tones.len());
+    let ended = pieper(&["studio", "--headless-frame", &file, "--size", "huge"]);
+    assert_eq!(ended.code, 2);
+}
+
+#[test]
+fn a_project_is_opened_and_kept() {
+    let folder = Temporary::new();
+    let project = folder.file("p.json", "{\"pieper_studio\": 7}");
+    let ended = pieper(&["studio", "--no-open", "--project", &project]);
+    assert_eq!(ended.code, 2);
+    assert!(ended.stderr.contains("p.json"), "{}", ended.stderr);
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use axum::Router;
-use axum::body::Body;
+use axum::body::{Body, Bytes};
 use axum::extract::{DefaultBodyLimit, Path, Request, State as Shared, WebSocketUpgrade};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
@@ -25,6 +25,7 @@ pub(super) fn router(state: Arc<State>) -> Router {
         .route("/api/state", get(whole))
         .route("/api/command", post(command))
         .route("/api/project.json", get(project))
+        .route("/api/picture", post(picture))
         .route("/api/interface", get(interface))
         .route("/mesh/{hash}", get(mesh))
         .route("/ws", get(window))
@@ -121,6 +122,14 @@ async fn command(Shared(state): Shared<Arc<State>>, body: String) -> Response {
 
 async fn project(Shared(state): Shared<Arc<State>>) -> Response {
     document(&state.hub.session().project())
+}
+
+/// The picture that `pieper studio --headless-frame` waits for.
+async fn picture(Shared(state): Shared<Arc<State>>, body: Bytes) -> Response {
+    match state.picture.arrive(body.to_vec()) {
+        true => StatusCode::NO_CONTENT.into_response(),
+        false => (StatusCode::NOT_FOUND, "no picture is waited for").into_response(),
+    }
 }
 
 async fn interface() -> Response {

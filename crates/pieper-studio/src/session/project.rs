@@ -48,7 +48,11 @@ impl Session {
         })
     }
 
-    pub(super) fn open(&mut self, text: &str) -> Result<Value, String> {
+    /// Goes on with a project file's content.
+    ///
+    /// # Errors
+    /// A sentence that says what is wrong with it; then nothing has changed.
+    pub fn open(&mut self, text: &str) -> Result<Value, String> {
         let project: Project =
             serde_json::from_str(text).map_err(|error| format!("the project file: {error}"))?;
         if project.pieper_studio != VERSION {

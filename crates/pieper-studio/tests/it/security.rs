@@ -1,6 +1,6 @@
 //! Who is let in: the table of hosts, origins and tokens.
 
-use crate::support::{arm, serve};
+use crate::support::{serve, session};
 use pieper_studio::{Options, Studio};
 
 #[test]
@@ -233,7 +233,7 @@ fn a_port_in_use_is_said_with_the_remedy() {
     let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let port = taken.local_addr().unwrap().port();
     let error = Studio::bind(
-        arm("ar3"),
+        session("ar3"),
         &Options {
             port,
             ..Options::default()

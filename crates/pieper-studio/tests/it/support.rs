@@ -32,7 +32,7 @@ pub(crate) fn serve(id: &str) -> Served {
     let arm = arm(id);
     // Its own thread from the start: a test may be inside a runtime already.
     std::thread::spawn(move || {
-        let studio = Studio::bind(arm, &Options::default()).unwrap();
+        let studio = Studio::bind(Session::new(arm), &Options::default()).unwrap();
         tell.send(studio.url()).unwrap();
         studio.serve()
     });

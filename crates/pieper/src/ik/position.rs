@@ -29,6 +29,8 @@ pub(super) struct Three {
     ends: [f64; 2],
     end_turn: (f64, f64),
     miss: f64,
+    /// The first sign says back where the arm reaches forward: joint 2's axis is counted the other way round.
+    backward: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,6 +167,8 @@ impl Three {
             ends: [first.d, second.e],
             end_turn: sin_cos_exact(second.psi),
             miss: first.miss.max(second.miss),
+            // Forward is where the shoulder is set off to; without an offset, the description's own x.
+            backward: first.a < 0.0 || first.a == 0.0 && first.phi.cos() < 0.0,
         })
     }
 
@@ -176,6 +180,11 @@ impl Three {
     /// Whether the signs of an answer mean front or back and elbow up or down.
     pub(super) fn has_names(&self) -> bool {
         self.kind == Kind::Parallel && !self.reversed
+    }
+
+    /// Whether an answer with the first sign `front` reaches forward.
+    pub(super) fn reaches_forward(&self, front: bool) -> bool {
+        front != self.backward
     }
 
     /// Which elbow sign is up when the arm reaches forward.

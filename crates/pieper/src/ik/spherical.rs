@@ -215,7 +215,7 @@ impl Spherical {
             Place::Turns(three) if self.first == 3 && three.has_names() => {
                 let up = (bend == three.up_sign()) == front;
                 Branch {
-                    shoulder: Some(if front {
+                    shoulder: Some(if three.reaches_forward(front) {
                         Shoulder::Front
                     } else {
                         Shoulder::Back

@@ -13,7 +13,7 @@ mod singular;
 
 use crate::support::{arms, difference, random_joints};
 use pieper::ik::{Goal, Question, Solutions, Solver, Status};
-use pieper::kinematics::tool_pose;
+use pieper::kinematics::{link_poses, tool_pose};
 use pieper::model::Chain;
 
 /// The largest difference of two joint vectors, angles modulo whole turns.
@@ -156,6 +156,50 @@ fn whole_turns_within_limits_and_order() {
 }
 
 /// Seven joints: families, every sampled member closes, and the generating joint values are on one of them.
+/// Front and back as a person standing beside the arm says it: by whether the wrist lies on the side of axis 1 to which the
+/// shoulder is set off, or, without an offset, to which the table's x points.
+#[test]
+fn shoulders_are_named_as_people_see_them() {
+    let mut random = fastrand::Rng::with_seed(12);
+    let mut seen = [0, 0];
+    for (id, solver) in closed_forms().filter(|(id, _)| {
+        [
+            "ar3",
+            "irb120",
+            "irb2400",
+            "irb6640",
+            "kuka-kr6-r700",
+            "fanuc-m10ia",
+            "staubli-tx60",
+        ]
+        .contains(id)
+    }) {
+        let chain = solver.chain();
+        let mut frames = Vec::new();
+        for _ in 0..60 {
+            let q = random_joints(chain, &mut random);
+            link_poses(chain, &q, &mut frames).unwrap();
+            let axis = chain.canonical().base;
+            let wrist = axis.inverse_transform_point(&frames[3].translation.vector.into());
+            let shoulder = axis.inverse_transform_point(&frames[0].translation.vector.into());
+            let mut forward = nalgebra::Vector2::new(shoulder.x, shoulder.y);
+            if forward.norm() < 1e-9 {
+                let x = axis
+                    .inverse_transform_vector(&frames[0].rotation.matrix().column(0).into_owned());
+                forward = nalgebra::Vector2::new(x.x, x.y);
+            }
+            let front = forward.x * wrist.x + forward.y * wrist.y > 0.0;
+            let found = solver.solve(&tool_pose(chain, &q).unwrap()).unwrap();
+            let own = found.iter().find(|s| distance(chain, s.q(), &q) < 1e-6);
+            let own = own.unwrap_or_else(|| panic!("{id} {q:?}"));
+            let named = own.branch.to_string().contains("shoulder-front");
+            assert_eq!(named, front, "{id} {q:?} {}", own.branch);
+            seen[usize::from(front)] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 60), "{seen:?}");
+}
+
 #[test]
 fn seven_joints_have_families() {
     let mut random = fastrand::Rng::with_seed(13);

@@ -2,10 +2,14 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { effect } from '@preact/signals';
-import { dark, hovered, ik, motion, onFrame, pointed, pose, robot, samples, show } from '../state';
+import { dark, ik, motion, onFrame, pointed, pose, robot, samples, show } from '../state';
 import { Viewer } from '../view/viewer';
+import { handBack } from './snapshot';
 import { gestures } from '../view/gestures';
 import type { GhostFrame } from '../wire/frames';
+
+/** `?frame=1280x720`: one picture for a program that waits for it. */
+const frame = /[?&]frame=(\d+)x(\d+)/.exec(location.search);
 
 export let viewer: Viewer | null = null;
 
@@ -52,7 +56,10 @@ function connect(view: Viewer): void {
     revision = value.revision;
     const keep = shownId === value.id;
     shownId = value.id;
-    void view.show(value, keep).then(() => (document.documentElement.dataset.ready = '1'));
+    void view.show(value, keep).then(() => {
+      document.documentElement.dataset.ready = '1';
+      if (frame) void handBack(Number(frame[1]), Number(frame[2]));
+    });
   });
   effect(() => view.setDark(dark.value));
   effect(() => {
@@ -82,5 +89,4 @@ function connect(view: Viewer): void {
     view.ghosts.point(pointed.value);
     view.invalidate();
   });
-  void hovered;
 }

@@ -11,6 +11,30 @@ export function save(name: string, data: Blob): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
+/** The view on its background at a size in pixels, for a program that waits for it. */
+export async function handBack(width: number, height: number): Promise<void> {
+  if (!viewer) return;
+  const { renderer, canvas, perspective } = viewer;
+  renderer.setPixelRatio(1);
+  renderer.setSize(width, height, false);
+  perspective.aspect = width / height;
+  perspective.updateProjectionMatrix();
+  viewer.fit('home');
+  renderer.render(viewer.scene, viewer.camera);
+  const picture = document.createElement('canvas');
+  [picture.width, picture.height] = [width, height];
+  const ink = picture.getContext('2d')!;
+  const tones = getComputedStyle(document.documentElement);
+  const shade = ink.createRadialGradient(width / 2, 0.35 * height, 0, width / 2, 0.35 * height, 0.75 * Math.max(width, height));
+  shade.addColorStop(0, tones.getPropertyValue('--bg-1'));
+  shade.addColorStop(1, tones.getPropertyValue('--bg-2'));
+  ink.fillStyle = shade;
+  ink.fillRect(0, 0, width, height);
+  ink.drawImage(canvas, 0, 0);
+  const blob = await new Promise<Blob | null>((done) => picture.toBlob(done, 'image/png'));
+  if (blob) await fetch('/api/picture', { method: 'POST', body: blob });
+}
+
 /** The view at 1, 2 or 4 times its size, its background transparent. */
 export async function snapshot(scale: number): Promise<void> {
   if (!viewer) return;

@@ -137,7 +137,7 @@ export class Viewer {
       top: new Vector3(0, -0.0001, 1), here: this.camera.position.clone().sub(this.controls.target),
     };
     const aspect = Math.min(1, this.perspective.aspect);
-    const distance = (1.08 * ball.radius) / Math.sin((this.perspective.fov * Math.PI) / 360) / aspect;
+    const distance = (0.94 * ball.radius) / Math.sin((this.perspective.fov * Math.PI) / 360) / aspect;
     this.controls.target.copy(ball.center);
     this.perspective.position.copy(ball.center).addScaledVector(directions[from].normalize(), distance);
     this.orthographic.position.copy(this.perspective.position);

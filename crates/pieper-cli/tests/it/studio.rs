@@ -71,10 +71,9 @@ fn one_view_is_drawn_without_a_person() {
         return;
     }
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    let mut reader =
-        png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&file).unwrap()))
-            .read_info()
-            .unwrap();
+    let mut reader = png::Decoder::new(BufReader::new(std::fs::File::open(&file).unwrap()))
+        .read_info()
+        .unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     assert_eq!((info.width, info.height), (320, 200));

@@ -87,6 +87,12 @@ pub enum Command {
     ScriptSave {
         text: String,
     },
+    Formulas {
+        scope: FormulaScope,
+    },
+    FormulaValues {
+        scope: FormulaScope,
+    },
     ScriptExamples {},
     ScriptHelp {},
     Undo {},
@@ -106,6 +112,16 @@ pub enum Named {
     Zero,
     /// Anywhere within the limits.
     Random,
+}
+
+/// Which formulas.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum FormulaScope {
+    /// From joint values to the pose.
+    Forward,
+    /// From the pose to joint values.
+    Inverse,
 }
 
 /// How rotations are represented.

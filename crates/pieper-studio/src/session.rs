@@ -1,5 +1,6 @@
 //! The studio's state, and everything that can be done to it.
 
+mod formulas;
 mod goal;
 mod keyframes;
 mod project;
@@ -17,6 +18,7 @@ use crate::motion::{Keyframe, Motion};
 use crate::quantity::Quantity;
 use crate::script;
 use crate::sections::Section;
+use formulas::Sheets;
 
 /// What undo goes back to.
 #[derive(Clone)]
@@ -51,6 +53,7 @@ pub struct Session {
     pub(crate) script_status: script::Status,
     pub(crate) log: Vec<LogLine>,
     pub(crate) revision: u32,
+    sheets: Sheets,
     history: History<Snapshot>,
     drag: Option<Drag>,
     changed: Vec<Section>,
@@ -79,6 +82,7 @@ impl Session {
             script_status: script::Status::default(),
             log: Vec::new(),
             revision: 1,
+            sheets: Sheets::default(),
             history: History::default(),
             drag: None,
             changed: Section::ALL.to_vec(),
@@ -196,6 +200,8 @@ impl Session {
                 self.script = text;
                 self.touch(&[Section::Script]);
             }
+            Command::Formulas { scope } => return self.formulas(scope),
+            Command::FormulaValues { scope } => return self.formula_values(scope),
             Command::ScriptExamples {} => return Ok(script::examples()),
             Command::ScriptHelp {} => return Ok(script::help()),
             Command::Undo {} => return self.travel(true),

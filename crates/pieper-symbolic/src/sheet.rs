@@ -2,6 +2,7 @@
 
 mod html;
 mod latex;
+mod live;
 mod markdown;
 mod text;
 

@@ -33,7 +33,7 @@ export const toasts = signal<Toast[]>([]);
 export const said = signal('');
 
 export type Tab = 'joints' | 'tool' | 'ik' | 'robot';
-export type Drawer = 'motion' | 'plots' | 'script' | 'log' | null;
+export type Drawer = 'motion' | 'plots' | 'formulas' | 'script' | 'log' | null;
 export type Theme = 'system' | 'light' | 'dark';
 
 function stored<T extends string>(key: string, values: readonly T[], first: T): T {

@@ -304,3 +304,36 @@ fn projects_and_tables_come_back() {
     apply(&mut arm, json!({"do": "seek", "t": 1})).unwrap();
     assert!((tool(&arm)[1][3] - 0.25).abs() < 1e-9);
 }
+
+#[test]
+fn formulas_carry_the_present_numbers() {
+    let mut s = session("ar3");
+    apply(
+        &mut s,
+        json!({"do": "joints", "q": [0.2, 0.5, 0.4, 0.3, 0.6, 0.1]}),
+    )
+    .unwrap();
+    let sheet = apply(&mut s, json!({"do": "formulas", "scope": "forward"})).unwrap();
+    let html = sheet["html"].as_str().unwrap();
+    let values = apply(&mut s, json!({"do": "formula_values", "scope": "forward"})).unwrap();
+    let values: Vec<Option<f64>> = serde_json::from_value(values).unwrap();
+    assert_eq!(values.len(), html.matches("<output").count());
+    assert!(!html.contains("style=") && !html.contains("<script"));
+    // The twelve entries of the tool's pose stand among them, in the order in which they are printed.
+    let pose = tool(&s);
+    let entries = (0..3).flat_map(|row| (0..4).map(move |column| (row, column)));
+    for (row, column) in entries {
+        let wanted = pose[row][column];
+        assert!(
+            values
+                .iter()
+                .flatten()
+                .any(|value| (value - wanted).abs() < 1e-12),
+            "t{row}{column} = {wanted}"
+        );
+    }
+    assert!(apply(&mut s, json!({"do": "formulas", "scope": "inverse"})).is_ok());
+    let mut seven = session("panda");
+    let error = apply(&mut seven, json!({"do": "formulas", "scope": "inverse"})).unwrap_err();
+    assert!(error.len() > 20, "{error}");
+}

@@ -26,13 +26,21 @@ ul{margin:.4rem 0;padding-left:1.4rem}
 @media print{main{max-width:none;padding:0}h2{break-after:avoid}}";
 
 pub(super) fn print(sheet: &Sheet) -> String {
-    let names = &sheet.names;
     let title = escape(&sheet.title);
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>{STYLE}</style></head>\n<body><main>\n<h1>{title}</h1>\n"
     );
+    out.push_str(&blocks(sheet, ""));
+    out.push_str("</main></body></html>\n");
+    out
+}
+
+/// The parts of a sheet, something behind each equation.
+pub(super) fn blocks(sheet: &Sheet, behind: &str) -> String {
+    let names = &sheet.names;
+    let mut out = String::new();
     for block in &sheet.blocks {
         match block {
             Block::Heading(1, text) => out.push_str(&format!("<h2>{}</h2>\n", escape(text))),
@@ -47,7 +55,7 @@ pub(super) fn print(sheet: &Sheet) -> String {
             }
             Block::Equation(left, right) => {
                 out.push_str(&format!(
-                    "<div class=\"formula\">{}</div>\n",
+                    "<div class=\"formula\">{}{behind}</div>\n",
                     breakable(left, right, names)
                 ));
             }
@@ -69,7 +77,6 @@ pub(super) fn print(sheet: &Sheet) -> String {
             }
         }
     }
-    out.push_str("</main></body></html>\n");
     out
 }
 

@@ -3,11 +3,12 @@
 import { clock, drawer, log, motion, robot, samples, send, toast, type Drawer as Which } from '../state';
 import { IconButton } from './icons';
 import { NumberField } from './NumberField';
+import { Formulas } from './Formulas';
 import { Plots } from './Plots';
 import { ScriptPanel } from './Script';
 import { save } from './snapshot';
 
-const TABS: [Exclude<Which, null>, string][] = [['motion', 'Motion'], ['plots', 'Plots'], ['script', 'Script'], ['log', 'Log']];
+const TABS: [Exclude<Which, null>, string][] = [['motion', 'Motion'], ['plots', 'Plots'], ['formulas', 'Formulas'], ['script', 'Script'], ['log', 'Log']];
 
 export function Drawer() {
   const open = drawer.value;
@@ -29,6 +30,7 @@ export function Drawer() {
       <div class="drawer-body" id="drawer-body" role="tabpanel" hidden={!open} {...(open ? { 'aria-labelledby': `drawer-tab-${open}` } : {})}>
         {open === 'motion' && value && <MotionPanel />}
         {open === 'plots' && <Plots />}
+        {open === 'formulas' && <Formulas />}
         {open === 'script' && <ScriptPanel />}
         {open === 'log' && (log.value.length === 0 ? <p class="quiet">Nothing has happened that needs telling.</p> : <ol class="log">{log.value.map((line, k) => <li key={k} class={line.level}>{line.text}</li>)}</ol>)}
       </div>

@@ -39,6 +39,7 @@ export const ACTIONS: Action[] = [
   { name: 'Snapshot at four times the size', keys: '', run: () => void snapshot(4) },
   { name: 'Units', keys: 'U', run: nextUnits },
   { name: 'Plots', keys: '', run: () => (drawer.value = drawer.value === 'plots' ? null : 'plots') },
+  { name: 'Formulas', keys: '', run: () => (drawer.value = drawer.value === 'formulas' ? null : 'formulas') },
   { name: 'Script', keys: '', run: () => (drawer.value = drawer.value === 'script' ? null : 'script') },
   { name: 'Stop the script', keys: '', run: stopScript },
   { name: 'Undo', keys: 'Ctrl+Z', run: () => void send({ do: 'undo' }) },

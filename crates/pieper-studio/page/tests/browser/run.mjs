@@ -208,6 +208,17 @@ const cases = [
     await stop.click();
     await page.locator('.console').getByText('stopped').waitFor();
   }],
+  ['formulas stand beside the picture with their numbers', 'ar3', async (page) => {
+    await page.getByRole('tab', { name: 'Formulas' }).click();
+    await page.locator('.sheet-body math').first().waitFor();
+    const read = () => [...document.querySelectorAll('.sheet-body output')].map((place) => place.textContent).filter(Boolean).join();
+    const before = await until(page, read, (text) => text.length > 20, 'numbers');
+    await set(page, 1, '30');
+    await until(page, read, (text) => text !== before, 'other numbers');
+    await page.getByRole('radio', { name: 'Inverse' }).click();
+    await page.getByRole('heading', { name: /inverse|step/i }).first().waitFor();
+    await axe(page, 'formulas');
+  }],
   ['everything can be done from the keyboard', 'ar3', async (page) => {
     await page.keyboard.press('Control+k');
     await page.getByRole('combobox', { name: 'Search commands' }).waitFor();

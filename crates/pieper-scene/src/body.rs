@@ -61,6 +61,11 @@ impl Body {
             .filter(|(_, part)| !part.collision)
     }
 
+    /// Whether nothing of it is more than a block that stands in for something.
+    pub fn is_bare(&self) -> bool {
+        self.shown().all(|(_, part)| part.color == PLACEHOLDER)
+    }
+
     /// The same body with one part for each link and colour: what is drawn in one go.
     fn merged(mut self) -> Self {
         for parts in &mut self.links {

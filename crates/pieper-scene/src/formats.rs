@@ -1,5 +1,7 @@
-//! Mesh files: STL, OBJ.
+//! Mesh files: STL, OBJ, Collada, glTF.
 
+mod dae;
+mod gltf;
 mod obj;
 mod stl;
 
@@ -34,9 +36,11 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Vec<Piece>, String> {
     let loose = match ending.as_str() {
         "stl" => stl::read(bytes)?,
         "obj" => obj::read(bytes)?,
+        "dae" => dae::read(bytes)?,
+        "gltf" | "glb" => gltf::read(bytes)?,
         _ => {
             return Err(format!(
-                "files that end in .{ending} are not read: .stl or .obj was expected"
+                "files that end in .{ending} are not read: .stl, .obj, .dae, .gltf or .glb was expected"
             ));
         }
     };

@@ -151,6 +151,95 @@ fn stl_and_obj_say_the_same() {
     assert_eq!(first.bounds(), cube.bounds());
 }
 
+/// A unit square of two triangles, placed, scaled and coloured, as Collada writes it.
+const SQUARE_DAE: &str = r##"<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <asset><unit name="millimeter" meter="0.001"/><up_axis>Z_UP</up_axis></asset>
+ <library_effects><effect id="e"><profile_COMMON><technique sid="c"><phong><diffuse><color>0.2 0.4 0.6 1</color></diffuse></phong></technique></profile_COMMON></effect></library_effects>
+ <library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
+ <library_geometries><geometry id="g"><mesh>
+  <source id="p"><float_array id="a" count="12">0 0 0 1 0 0 1 1 0 0 1 0</float_array><technique_common><accessor source="#a" count="4" stride="3"/></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <polylist material="s" count="1"><input semantic="VERTEX" source="#v" offset="0"/><input semantic="NORMAL" source="#n" offset="1"/><vcount>4</vcount><p>0 0 1 0 2 0 3 0</p></polylist>
+ </mesh></geometry></library_geometries>
+ <library_visual_scenes><visual_scene id="w"><node><translate>10 0 0</translate><rotate>0 0 1 90</rotate><scale>2 2 2</scale>
+  <instance_geometry url="#g"><bind_material><technique_common><instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry></node></visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#w"/></scene>
+</COLLADA>"##;
+
+#[test]
+fn collada_is_placed_scaled_and_coloured() {
+    let piece = formats::read("square.dae", SQUARE_DAE.as_bytes())
+        .unwrap()
+        .remove(0);
+    assert_eq!(piece.color, Some([0.2, 0.4, 0.6, 1.0]));
+    assert_eq!(piece.mesh.triangles(), 2);
+    let [low, high] = piece.mesh.bounds().unwrap();
+    // Ten millimetres aside, turned by a quarter, two millimetres wide.
+    for (found, wanted) in low
+        .iter()
+        .chain(&high)
+        .zip([0.008, 0.0, 0.0, 0.010, 0.002, 0.0])
+    {
+        assert!((found - wanted).abs() < 1e-7, "{low:?} {high:?}");
+    }
+    for (from, to, words) in [
+        ("0 0 1 0 2 0 3 0", "0 0 1 0 2 0 9 0", "corner 9"),
+        ("0 0 1 0 2 0 3 0", "0 0 one", "\"one\""),
+        ("<vcount>4", "<vcount>5", "vcount"),
+        ("10 0 0</tr", "10 0</tr", "translate"),
+        ("url=\"#g\"", "url=\"#none\"", "no triangles"),
+        (
+            "<?xml version=\"1.0\"?>",
+            "<!DOCTYPE x [<!ENTITY a \"b\">]>",
+            "DTD",
+        ),
+        ("</COLLADA>", "", "closed"),
+    ] {
+        let error =
+            formats::read("square.dae", SQUARE_DAE.replace(from, to).as_bytes()).unwrap_err();
+        assert!(error.contains(words), "{words}: {error}");
+    }
+}
+
+#[test]
+fn gltf_is_placed_and_coloured() {
+    use base64::Engine as _;
+    let mut data = Vec::new();
+    for value in [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0] {
+        data.extend(value.to_le_bytes());
+    }
+    for index in [0_u16, 1, 2] {
+        data.extend(index.to_le_bytes());
+    }
+    let uri = format!(
+        "data:application/octet-stream;base64,{}",
+        base64::engine::general_purpose::STANDARD.encode(&data)
+    );
+    let text = format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0,"translation":[0,0,3],"scale":[2,2,2]}}],
+        "materials":[{{"pbrMetallicRoughness":{{"baseColorFactor":[1,0,0,1]}}}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"material":0}}]}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},{{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}}],
+        "bufferViews":[{{"buffer":0,"byteOffset":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":6}}],
+        "buffers":[{{"byteLength":{},"uri":"{uri}"}}]}}"#,
+        data.len()
+    );
+    let piece = formats::read("t.gltf", text.as_bytes()).unwrap().remove(0);
+    let [red, rest @ ..] = piece.color.unwrap();
+    assert!((red - 1.0).abs() < 1e-6 && rest == [0.0, 0.0, 1.0]);
+    assert_eq!(
+        piece.mesh.bounds(),
+        Some([[0.0, 0.0, 3.0], [2.0, 2.0, 3.0]])
+    );
+    assert!(
+        formats::read("t.gltf", text.replace(&uri, "outside.bin").as_bytes())
+            .unwrap_err()
+            .contains("outside.bin")
+    );
+    assert!(formats::read("t.glb", b"glTF").is_err());
+}
+
 #[test]
 fn broken_meshes_say_what_is_wrong() {
     for (name, bytes, words) in [
@@ -170,7 +259,8 @@ fn broken_meshes_say_what_is_wrong() {
 fn whatever_is_read_does_not_panic() {
     let mut random = fastrand::Rng::with_seed(3);
     for round in 0..20_000 {
-        let mut bytes: Vec<u8> = match round % 3 {
+        let mut bytes: Vec<u8> = match round % 4 {
+            3 => SQUARE_DAE.as_bytes().to_vec(),
             0 => b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec(),
             1 => b"solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n".to_vec(),
             _ => shapes::block([1.0; 3], 0.0).to_bytes(),
@@ -179,9 +269,14 @@ fn whatever_is_read_does_not_panic() {
             let place = random.usize(..bytes.len());
             bytes[place] = random.u8(..);
         }
-        bytes.truncate(1 + random.usize(..bytes.len()));
+        if random.bool() {
+            bytes.truncate(1 + random.usize(..bytes.len()));
+        }
         let _ = formats::read("x.stl", &bytes);
         let _ = formats::read("x.obj", &bytes);
+        let _ = formats::read("x.dae", &bytes);
+        let _ = formats::read("x.gltf", &bytes);
+        let _ = formats::read("x.glb", &bytes);
         if let Some(mesh) = Mesh::from_bytes(&bytes) {
             assert!(
                 mesh.indices

@@ -57,7 +57,18 @@ impl Arm {
             }
             _ => None,
         };
-        let (body, frames) = described.unwrap_or_else(|| (Body::of_chain(&chain), Frames::Axes));
+        let (body, frames) = match described {
+            Some((body, frames)) if !body.is_bare() => (body, frames),
+            described => {
+                // Not one mesh could be had: a body made from the geometry says more than blocks.
+                let problems = described.map_or_else(Vec::new, |(body, _)| body.problems);
+                let body = Body {
+                    problems,
+                    ..Body::of_chain(&chain)
+                };
+                (body, Frames::Axes)
+            }
+        };
         let mut meshes = HashMap::new();
         let mut name = |mesh: &Mesh| {
             let name = mesh.hash();
@@ -130,6 +141,11 @@ impl Arm {
         Self::new(&id, robot, &|_| {
             Err("meshes are read only for an arm given on the command line".to_owned())
         })
+    }
+
+    /// What of its looks could not be had, a sentence each.
+    pub fn problems(&self) -> &[String] {
+        &self.body.problems
     }
 
     /// The number of joint values.

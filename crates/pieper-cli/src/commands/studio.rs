@@ -50,6 +50,9 @@ pub(crate) struct Arguments {
     size: [u32; 2],
 }
 
+/// Warnings about meshes that the terminal shows.
+const TOLD: usize = 3;
+
 impl Arguments {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let session = self.session()?;
@@ -79,6 +82,17 @@ impl Arguments {
         let meshes = self.source.meshes()?;
         let arm = Arm::new(self.source.name(), robot, &move |uri| meshes.read(uri))
             .map_err(Failure::Input)?;
+        let problems = arm.problems();
+        problems
+            .iter()
+            .take(TOLD)
+            .for_each(|text| output::warning(text));
+        if problems.len() > TOLD {
+            let more = problems.len() - TOLD;
+            output::warning(&format!(
+                "and {more} more of this kind: the studio's log has all"
+            ));
+        }
         let mut session = Session::new(arm);
         if let Some(file) = self.project.as_ref().filter(|file| file.exists()) {
             session

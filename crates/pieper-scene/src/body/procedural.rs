@@ -142,7 +142,21 @@ impl<'a> Builder<'a> {
         ];
         push(parts, "foot", shapes::turned(&foot), DARK, plate);
         let top = Point3::new(0.0, 0.0, 0.0);
-        self.tube(&ground, &top, (1.05 * r, 1.05 * r), parts);
+        // Its round end stays above the ground.
+        let column = (top - ground).norm();
+        if let Some(upward) = (top - ground).try_normalize(1.05 * r) {
+            let start = ground + upward * (1.05 * r).min(column);
+            self.tube(&start, &top, (1.05 * r, 1.05 * r), parts);
+            let sleeve = Isometry3::from_parts(start.into(), shapes::pointing(&upward));
+            let height = 1.05 * r;
+            push(
+                parts,
+                "column",
+                shapes::cylinder(1.05 * r, height, 0.0),
+                SHELL,
+                sleeve * Translation3::new(0.0, 0.0, -0.5 * height),
+            );
+        }
         if let Some(up_frame) = shapes::along(&ground, &top).or(Some(plate)) {
             let away = (top - ground).norm();
             if away < 0.5 * r {

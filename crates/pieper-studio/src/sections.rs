@@ -108,6 +108,22 @@ impl Session {
         frames::ghosts(sequence, links, &ghosts)
     }
 
+    /// The links along the motion, as frames: `rate` of them a second, `most` at most.
+    pub(crate) fn pictures(&self, rate: f64, most: f64) -> Vec<Vec<u8>> {
+        let motion = &self.motion;
+        let end = motion.duration();
+        if end <= 0.0 {
+            return Vec::new();
+        }
+        let count = (end * rate).clamp(2.0, most).ceil() as u32;
+        let picture = |k: u32| {
+            let t = end * f64::from(k) / f64::from(count);
+            let q = motion.at(t)?;
+            Some(frames::pose(true, k, t, &q, &self.arm.poses(&q)))
+        };
+        (0..=count).filter_map(picture).collect()
+    }
+
     fn robot_section(&self) -> Value {
         let arm = &self.arm;
         let joints: Value = arm

@@ -7,6 +7,7 @@ mod picture;
 mod routes;
 mod scripts;
 mod security;
+mod share;
 mod socket;
 
 use std::net::{Ipv4Addr, SocketAddr};

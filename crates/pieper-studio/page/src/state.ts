@@ -1,7 +1,8 @@
 // What the page knows: the program's sections as signals, and what is only this window's.
 
 import { computed, signal } from '@preact/signals';
-import { Connection, type Phase } from './wire/connection';
+import { Connection, type Listener, type Phase } from './wire/connection';
+import { Shared, isSnapshot } from './wire/snapshot';
 import { decode, type GhostFrame, type PoseFrame } from './wire/frames';
 import type { Command, History, Ik, LogLine, Motion, Pose, Robot, RobotEntry, Samples, Script, Sections } from './wire/types';
 import type { Units } from './units';
@@ -62,7 +63,7 @@ export const units = signal<Units>({
   length: stored('length', ['mm', 'm'] as const, 'mm'),
 });
 export const letters = signal(stored('letters', ['on', 'off'], 'on') === 'on');
-export const hintSeen = signal(stored('hint', ['seen', 'new'], 'new') === 'seen');
+export const hintSeen = signal(isSnapshot || stored('hint', ['seen', 'new'], 'new') === 'seen');
 /** The hint of the first start has done its work. */
 export function seen(): void {
   hintSeen.value = true;
@@ -117,7 +118,7 @@ async function fetchSamples(): Promise<void> {
   samples.value = (await connection.send({ do: 'samples', rate: 60 })) as Samples;
 }
 
-export const connection = new Connection({
+const listener: Listener = {
   section: (name, value) => (into[name as keyof Sections] as ((value: unknown) => void) | undefined)?.(value),
   event: (message) => {
     if (message.event !== 'console') return;
@@ -138,7 +139,9 @@ export const connection = new Connection({
     phaseText.value = text;
   },
   roundTrip: (ms) => (roundTrip.value = ms),
-});
+};
+
+export const connection: Connection | Shared = isSnapshot ? new Shared(listener) : new Connection(listener);
 
 let lastToast = 0;
 export function toast(text: string, kind: Toast['kind'] = 'error'): void {

@@ -59,3 +59,16 @@ pub(super) fn file(path: &str) -> Response {
     );
     response
 }
+
+/// A file's text.
+pub(super) fn text(path: &str) -> Option<String> {
+    let file = Page::get(path)?;
+    Some(String::from_utf8_lossy(&file.data).into_owned())
+}
+
+/// The files beside it that the page loads, in order.
+pub(super) fn named_in(index: &str) -> Vec<String> {
+    let ends = index.split("./assets/").skip(1);
+    let names = ends.filter_map(|rest| rest.split('"').next());
+    names.map(|name| format!("assets/{name}")).collect()
+}

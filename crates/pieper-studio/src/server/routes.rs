@@ -11,7 +11,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use serde_json::{Value, json};
 
-use super::{State, assets, security, socket};
+use super::{State, assets, security, share, socket};
 use crate::sections::Section;
 
 /// The largest body of a request.
@@ -26,6 +26,7 @@ pub(super) fn router(state: Arc<State>) -> Router {
         .route("/api/command", post(command))
         .route("/api/project.json", get(project))
         .route("/api/picture", post(picture))
+        .route("/api/share.html", get(shared))
         .route("/api/interface", get(interface))
         .route("/mesh/{hash}", get(mesh))
         .route("/ws", get(window))
@@ -129,6 +130,24 @@ async fn picture(Shared(state): Shared<Arc<State>>, body: Bytes) -> Response {
     match state.picture.arrive(body.to_vec()) {
         true => StatusCode::NO_CONTENT.into_response(),
         false => (StatusCode::NOT_FOUND, "no picture is waited for").into_response(),
+    }
+}
+
+async fn shared(Shared(state): Shared<Arc<State>>) -> Response {
+    let file = share::file(&state.hub.session());
+    match file {
+        Ok(text) => {
+            let headers = [
+                (header::CONTENT_TYPE, "text/html; charset=utf-8"),
+                (
+                    header::CONTENT_DISPOSITION,
+                    "attachment; filename=\"arm.html\"",
+                ),
+                (header::CACHE_CONTROL, "no-store"),
+            ];
+            (headers, text).into_response()
+        }
+        Err(error) => (StatusCode::NOT_FOUND, error).into_response(),
     }
 }
 

@@ -9,6 +9,7 @@ import { Solutions } from './Solutions';
 import { Tool } from './Tool';
 import { TopBar } from './TopBar';
 import { View } from './View';
+import { isSnapshot } from '../wire/snapshot';
 import { shown } from '../units';
 import { units } from '../state';
 
@@ -34,9 +35,11 @@ function Panel() {
         ))}
       </div>
       <div class="panel-body" id="panel-body" role="tabpanel" aria-labelledby={`tab-${open}`} tabIndex={0}>
-        {open === 'joints' && <Joints />}
-        {open === 'tool' && <Tool />}
-        {open === 'ik' && <Solutions />}
+        <fieldset class="bare" disabled={isSnapshot}>
+          {open === 'joints' && <Joints />}
+          {open === 'tool' && <Tool />}
+          {open === 'ik' && <Solutions />}
+        </fieldset>
         {open === 'robot' && <RobotInfo />}
       </div>
       <Readout />

@@ -3,6 +3,7 @@
 import { clock, drawer, log, motion, robot, samples, send, toast, type Drawer as Which } from '../state';
 import { IconButton } from './icons';
 import { NumberField } from './NumberField';
+import { isSnapshot } from '../wire/snapshot';
 import { Formulas } from './Formulas';
 import { Plots } from './Plots';
 import { ScriptPanel } from './Script';
@@ -19,7 +20,7 @@ export function Drawer() {
         <Transport />
         <span class="grow" />
         <div class="tabs" role="tablist" aria-label="Drawer">
-          {TABS.map(([key, text]) => (
+          {TABS.filter(([key]) => !isSnapshot || key === 'plots').map(([key, text]) => (
             <button type="button" key={key} role="tab" id={`drawer-tab-${key}`} aria-selected={open === key} aria-controls="drawer-body"
               onClick={() => (drawer.value = open === key ? null : key)}>
               {text}{key === 'log' && log.value.some((line) => line.level !== 'info') && <span class="badge">{log.value.length}</span>}
@@ -44,7 +45,7 @@ function Transport() {
   const ready = value.keyframes.length > 1;
   return (
     <div class="transport" role="group" aria-label="Playback">
-      <IconButton icon="plus" label="Add this posture as a keyframe" keys="K" text={ready ? undefined! : 'Keyframe'} onClick={addKeyframe} />
+ {!isSnapshot && <IconButton icon="plus" label="Add this posture as a keyframe" keys="K" text={ready ? undefined! : 'Keyframe'} onClick={addKeyframe} />}
       <IconButton icon="back" label="A step back" disabled={!ready} onClick={() => void send({ do: 'step', by: -1 })} />
       <IconButton icon={value.playing ? 'pause' : 'play'} class="primary" label={value.playing ? 'Pause' : 'Play'} keys="Space" disabled={!ready} onClick={playOrPause} />
       <IconButton icon="forward" label="A step on" disabled={!ready} onClick={() => void send({ do: 'step', by: 1 })} />

@@ -1,6 +1,7 @@
 // The top bar: which arm, undo and redo, what is shown, units, theme, the connection.
 
 import { history, overlay, panelOpen, phase, robot, robots, roundTrip, send, show, store, theme, toast, units, type Theme } from '../state';
+import { isSnapshot } from '../wire/snapshot';
 import { Icon, IconButton } from './icons';
 import { snapshot } from './snapshot';
 
@@ -31,6 +32,7 @@ export function TopBar() {
   const known = robots.value.some((entry) => entry.id === robot.value?.id);
   const nextTheme: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };
   const trip = roundTrip.value;
+  if (isSnapshot) return <SharedBar />;
   return (
     <header class="top">
       <span class="brand"><svg viewBox="0 0 32 32" aria-hidden="true"><path d="M9 25h14M12 25l-1-9 9-6 4 4" /><circle cx="11" cy="16" r="2.6" /><circle cx="20" cy="10" r="2.6" /></svg><span>pieper</span></span>
@@ -60,6 +62,7 @@ export function TopBar() {
       </span>
       <span class="group">
         <button type="button" class="text-button" title="Units (U)" aria-label={`Units: ${units.value.angle} and ${units.value.length}`} onClick={nextUnits}>{units.value.angle === 'deg' ? '°' : 'rad'} · {units.value.length}</button>
+ <IconButton icon="download" label="Share: this view as one file that needs no program" onClick={() => location.assign('/api/share.html')} />
         <IconButton icon="camera" label="Snapshot as PNG" keys="P" onClick={() => void snapshot(2)} />
         <IconButton icon={theme.value === 'system' ? 'auto' : theme.value === 'light' ? 'sun' : 'moon'} label={`Theme: ${theme.value}`} onClick={() => { theme.value = nextTheme[theme.value]; store('theme', theme.value); }} />
         <IconButton icon="help" label="Keys and gestures" keys="?" onClick={() => (overlay.value = 'help')} />
@@ -67,6 +70,28 @@ export function TopBar() {
       </span>
       <span class={`connection ${phase.value}`} role="status" title="Time for a message to the program and back">
         <span class="dot" aria-hidden="true" />{phase.value === 'open' ? (trip === null ? 'connected' : `${trip.toFixed(1)} ms`) : phase.value}
+      </span>
+    </header>
+  );
+}
+
+/** The bar of a shared file: what it shows, and how it is looked at. */
+function SharedBar() {
+  const nextTheme: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };
+  return (
+    <header class="top">
+      <span class="brand"><span>{robot.value?.name}</span></span>
+      <span class="quiet small">shared from pieper studio</span>
+      <span class="grow" />
+      <span class="group">
+        <IconButton icon="ghost" label="Ghosts of all solutions" keys="G" pressed={show.ghosts.value} onClick={toggleGhosts} />
+        <IconButton icon="axes" label="Link frames" keys="T" pressed={show.frames.value} onClick={() => (show.frames.value = !show.frames.value)} />
+        <IconButton icon="reach" label="Outline of the reach" keys="O" pressed={show.outline.value} onClick={() => (show.outline.value = !show.outline.value)} />
+      </span>
+      <span class="group">
+        <button type="button" class="text-button" title="Units (U)" onClick={nextUnits}>{units.value.angle === 'deg' ? '°' : 'rad'} · {units.value.length}</button>
+        <IconButton icon={theme.value === 'system' ? 'auto' : theme.value === 'light' ? 'sun' : 'moon'} label={`Theme: ${theme.value}`} onClick={() => (theme.value = nextTheme[theme.value])} />
+        <IconButton icon="panel" label="Side panel" pressed={panelOpen.value} onClick={() => (panelOpen.value = !panelOpen.value)} />
       </span>
     </header>
   );

@@ -37,6 +37,7 @@ export const ACTIONS: Action[] = [
   { name: 'Gizmo in the tool\u2019s or the base\u2019s axes', keys: 'X', run: toggle(show.local) },
   { name: 'Snapshot', keys: 'P', run: () => void snapshot(2) },
   { name: 'Snapshot at four times the size', keys: '', run: () => void snapshot(4) },
+  { name: 'Share this view as one file', keys: '', run: () => location.assign('/api/share.html') },
   { name: 'Units', keys: 'U', run: nextUnits },
   { name: 'Plots', keys: '', run: () => (drawer.value = drawer.value === 'plots' ? null : 'plots') },
   { name: 'Formulas', keys: '', run: () => (drawer.value = drawer.value === 'formulas' ? null : 'formulas') },

@@ -3,9 +3,17 @@
 import { AxesHelper, BufferAttribute, BufferGeometry, Color, FrontSide, Group, Matrix4, Mesh, MeshStandardMaterial } from 'three';
 import type { Robot } from '../wire/types';
 import { decodeMesh } from '../wire/frames';
+import { embedded } from '../wire/snapshot';
 import { place } from './viewer';
 
 export interface DrawnPart { geometry: BufferGeometry; placed: Matrix4; link: number }
+
+async function meshBytes(hash: string): Promise<ArrayBuffer | null> {
+  const own = embedded(hash);
+  if (own) return own;
+  const answer = await fetch(`/mesh/${hash}`);
+  return answer.ok ? answer.arrayBuffer() : null;
+}
 
 const HIGHLIGHT = new Color(0x7c3aed);
 const NONE = new Color(0x000000);
@@ -67,9 +75,9 @@ export class Arm {
   private geometry(hash: string): Promise<BufferGeometry> {
     let known = this.cache.get(hash);
     if (!known) {
-      known = fetch(`/mesh/${hash}`).then(async (answer) => {
+      known = meshBytes(hash).then((buffer) => {
         const geometry = new BufferGeometry();
-        const data = answer.ok ? decodeMesh(await answer.arrayBuffer()) : null;
+        const data = buffer ? decodeMesh(buffer) : null;
         if (data) {
           geometry.setAttribute('position', new BufferAttribute(data.positions, 3));
           geometry.setAttribute('normal', new BufferAttribute(data.normals, 3));

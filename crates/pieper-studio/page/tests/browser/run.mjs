@@ -219,6 +219,29 @@ const cases = [
     await page.getByRole('heading', { name: /inverse|step/i }).first().waitFor();
     await axe(page, 'formulas');
   }],
+  ['a shared file needs no program', 'irb120', async (page, { browser }) => {
+    await pose(page, { 2: '20', 5: '40' });
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('k');
+    await set(page, 1, '50');
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('k');
+    await page.waitForTimeout(200);
+    const text = await page.evaluate(() => fetch('/api/share.html').then((answer) => answer.text()));
+    check(text.length < 6e6, `${text.length} characters`);
+    const context = await browser.newContext({ viewport: { width: 960, height: 600 }, offline: true });
+    const other = await context.newPage();
+    const wrong = [];
+    other.on('pageerror', (error) => wrong.push(error.message));
+    other.on('request', (request) => { if (/^http/.test(request.url())) wrong.push(request.url()); });
+    await other.setContent(text);
+    await ready(other);
+    await other.getByRole('button', { name: /^Play/ }).click();
+    await until(other, () => Number(document.querySelector('[aria-label="J1 value"]').value), (value) => value > 5 && value < 49, 'it plays');
+    await until(other, () => Number(document.querySelector('[aria-label="J1 value"]').value), (value) => value === 50, 'to its end');
+    check(wrong.length === 0, wrong.join('; '));
+    await context.close();
+  }],
   ['everything can be done from the keyboard', 'ar3', async (page) => {
     await page.keyboard.press('Control+k');
     await page.getByRole('combobox', { name: 'Search commands' }).waitFor();

@@ -4,7 +4,8 @@ use pieper::describe::{MotionTable, MotionValues};
 use pieper::ik::Solver;
 use pieper::kinematics::tool_pose;
 use pieper::motion::{Law, Profile, State, TrackOptions, stations};
-use serde_json::{Value, json};
+use pieper::spatial::Pose;
+use serde::Serialize;
 
 use crate::arm::Arm;
 
@@ -167,42 +168,59 @@ impl Motion {
     }
 
     /// Values, rates and accelerations of the joints, and the tool's way, at evenly spaced times.
-    pub(crate) fn samples(&self, arm: &Arm, rate: f64) -> Value {
+    pub(crate) fn samples(&self, arm: &Arm, rate: f64) -> Samples {
         let end = self.duration();
+        let mut samples = Samples {
+            q: vec![Vec::new(); arm.dof()],
+            qd: vec![Vec::new(); arm.dof()],
+            qdd: vec![Vec::new(); arm.dof()],
+            ..Samples::default()
+        };
         let Some(law) = self.law.as_ref().filter(|_| end > 0.0) else {
-            return json!({"t": [], "q": [], "qd": [], "qdd": [], "tool": [], "tool_speed": []});
+            return samples;
         };
         let count = (end * rate).ceil().clamp(2.0, MOST_SAMPLES) as usize;
-        let dof = arm.dof();
-        let mut tracks = [(); 3].map(|()| vec![Vec::with_capacity(count + 1); dof]);
-        let (mut times, mut tool) = (Vec::new(), Vec::<[f64; 3]>::new());
         let mut state = State::default();
         for k in 0..=count {
             let t = end * k as f64 / count as f64;
             law.at(t, &mut state);
-            times.push(t);
-            for (track, values) in
-                tracks
-                    .iter_mut()
-                    .zip([&state.position, &state.rate, &state.acceleration])
-            {
+            samples.t.push(t);
+            let tracks = [&mut samples.q, &mut samples.qd, &mut samples.qdd];
+            let values = [&state.position, &state.rate, &state.acceleration];
+            for (track, values) in tracks.into_iter().zip(values) {
                 for (joint, value) in track.iter_mut().zip(values) {
                     joint.push(*value);
                 }
             }
-            if let Ok(pose) = tool_pose(&arm.chain, &state.position) {
-                tool.push(pose.translation.vector.into());
-            }
+            // Never refused: a law's values are finite and as many as the arm's.
+            let pose = tool_pose(&arm.chain, &state.position).unwrap_or_else(|_| Pose::identity());
+            samples.tool.push(pose.translation.vector.into());
         }
-        let speed = |k: usize| {
-            let (a, b) = (tool[k.saturating_sub(1)], tool[(k + 1).min(tool.len() - 1)]);
-            let length = (0..3).map(|i| (b[i] - a[i]).powi(2)).sum::<f64>().sqrt();
-            let span = ((k + 1).min(count) - k.saturating_sub(1)) as f64 * end / count as f64;
-            length / span
-        };
-        let tool_speed: Vec<f64> = (0..tool.len()).map(speed).collect();
-        let [q, qd, qdd] = tracks;
-        json!({"t": times, "q": q, "qd": qd, "qdd": qdd, "tool": tool, "tool_speed": tool_speed})
+        samples.tool_speed = (0..=count).map(|k| samples.speed(k)).collect();
+        samples
+    }
+}
+
+/// A motion at many times.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(crate) struct Samples {
+    /// Seconds.
+    pub(crate) t: Vec<f64>,
+    /// By joint, then by time.
+    pub(crate) q: Vec<Vec<f64>>,
+    pub(crate) qd: Vec<Vec<f64>>,
+    pub(crate) qdd: Vec<Vec<f64>>,
+    pub(crate) tool: Vec<[f64; 3]>,
+    pub(crate) tool_speed: Vec<f64>,
+}
+
+impl Samples {
+    /// The tool's speed by the samples beside one.
+    fn speed(&self, k: usize) -> f64 {
+        let (before, behind) = (k.saturating_sub(1), (k + 1).min(self.tool.len() - 1));
+        let (a, b) = (self.tool[before], self.tool[behind]);
+        let length = (0..3).map(|i| (b[i] - a[i]).powi(2)).sum::<f64>().sqrt();
+        length / (self.t[behind] - self.t[before])
     }
 }
 

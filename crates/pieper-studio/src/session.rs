@@ -1,5 +1,6 @@
 //! The studio's state, and everything that can be done to it.
 
+mod export;
 mod formulas;
 mod goal;
 mod keyframes;
@@ -194,7 +195,7 @@ impl Session {
             }
             Command::Samples { rate } => {
                 let rate = rate.map_or(60.0, |rate| rate.0.clamp(1.0, 1000.0));
-                return Ok(self.motion.samples(&self.arm, rate));
+                return Ok(json!(self.motion.samples(&self.arm, rate)));
             }
             Command::ScriptSave { text } => {
                 self.script = text;

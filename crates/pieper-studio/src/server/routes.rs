@@ -27,6 +27,7 @@ pub(super) fn router(state: Arc<State>) -> Router {
         .route("/api/project.json", get(project))
         .route("/api/picture", post(picture))
         .route("/api/share.html", get(shared))
+        .route("/api/export/{name}", get(export))
         .route("/api/interface", get(interface))
         .route("/mesh/{hash}", get(mesh))
         .route("/ws", get(window))
@@ -130,6 +131,20 @@ async fn picture(Shared(state): Shared<Arc<State>>, body: Bytes) -> Response {
     match state.picture.arrive(body.to_vec()) {
         true => StatusCode::NO_CONTENT.into_response(),
         false => (StatusCode::NOT_FOUND, "no picture is waited for").into_response(),
+    }
+}
+
+async fn export(Shared(state): Shared<Arc<State>>, Path(name): Path<String>) -> Response {
+    match state.hub.session().export(&name) {
+        Ok((kind, content)) => {
+            let headers = [
+                (header::CONTENT_TYPE, kind),
+                (header::CONTENT_DISPOSITION, "attachment"),
+                (header::CACHE_CONTROL, "no-store"),
+            ];
+            (headers, content).into_response()
+        }
+        Err(error) => (StatusCode::NOT_FOUND, error).into_response(),
     }
 }
 

@@ -337,3 +337,44 @@ fn formulas_carry_the_present_numbers() {
     let error = apply(&mut seven, json!({"do": "formulas", "scope": "inverse"})).unwrap_err();
     assert!(error.len() > 20, "{error}");
 }
+
+#[test]
+fn motions_are_exported_as_tables_and_figures() {
+    let mut s = session("stanford");
+    assert!(s.export("motion.csv").unwrap_err().contains("no motion"));
+    apply(&mut s, json!({"do": "keyframe", "op": "add", "t": 0})).unwrap();
+    apply(&mut s, json!({"do": "named", "to": "random"})).unwrap();
+    apply(&mut s, json!({"do": "keyframe", "op": "add", "t": 1.5})).unwrap();
+    let (_, csv) = s.export("motion.csv").unwrap();
+    // The table comes back as the same motion.
+    let mut other = session("stanford");
+    let text = String::from_utf8(csv).unwrap();
+    apply(
+        &mut other,
+        json!({"do": "motion_table", "name": "m.csv", "text": text}),
+    )
+    .unwrap();
+    for t in [0.0, 0.6, 1.5] {
+        for session in [&mut s, &mut other] {
+            apply(session, json!({"do": "seek", "t": t})).unwrap();
+        }
+        assert!(
+            q(&s)
+                .iter()
+                .zip(q(&other))
+                .all(|(a, b)| (a - b).abs() < 1e-3),
+            "{t}"
+        );
+    }
+    for name in ["joints", "rates", "accelerations", "path"] {
+        assert!(
+            s.export(&format!("{name}.svg"))
+                .unwrap()
+                .1
+                .starts_with(b"<svg"),
+            "{name}"
+        );
+    }
+    assert!(s.export("path.png").unwrap().1.starts_with(b"\x89PNG"));
+    assert!(s.export("joints.gif").is_err() && s.export("../x.svg").is_err());
+}

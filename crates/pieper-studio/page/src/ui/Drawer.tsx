@@ -1,13 +1,12 @@
 // The bottom drawer: motion, plots, log.
 
-import { clock, drawer, log, motion, robot, samples, send, toast, type Drawer as Which } from '../state';
+import { clock, drawer, log, motion, send, toast, type Drawer as Which } from '../state';
 import { IconButton } from './icons';
 import { NumberField } from './NumberField';
 import { isSnapshot } from '../wire/snapshot';
 import { Formulas } from './Formulas';
 import { Plots } from './Plots';
 import { ScriptPanel } from './Script';
-import { save } from './snapshot';
 
 const TABS: [Exclude<Which, null>, string][] = [['motion', 'Motion'], ['plots', 'Plots'], ['formulas', 'Formulas'], ['script', 'Script'], ['log', 'Log']];
 
@@ -70,6 +69,9 @@ export function playOrPause(): void {
   void send({ do: motion.value?.playing ? 'pause' : 'play' });
 }
 
+/** The files that the program makes of the motion. */
+const EXPORTS = ['motion.csv', 'motion.json', ...['joints', 'rates', 'accelerations', 'path'].flatMap((name) => [`${name}.svg`, `${name}.png`])];
+
 function MotionPanel() {
   const value = motion.value!;
   const table = async (file: File): Promise<void> => {
@@ -84,8 +86,9 @@ function MotionPanel() {
         <label class="field">Law <select value={value.law} onChange={(event) => void send({ do: 'law', to: event.currentTarget.value })}>{value.laws.map((law) => <option key={law}>{law}</option>)}</select></label>
         <label class="field">Speed <input type="range" min={0.1} max={4} step={0.1} value={value.speed} aria-valuetext={`${value.speed} times`} onInput={(event) => void send({ do: 'speed', to: Number(event.currentTarget.value) })} /> <span class="time">{value.speed.toFixed(1)}×</span></label>
         <span class="grow" />
-        <button type="button" class="text-button" onClick={() => exportAs('csv')}>CSV</button>
-        <button type="button" class="text-button" onClick={() => exportAs('json')}>JSON</button>
+        <label class="field">Export <select value="" disabled={value.keyframes.length < 2} onChange={(event) => { location.assign(`/api/export/${event.currentTarget.value}`); event.currentTarget.value = ''; }}>
+          <option value="">choose…</option>{EXPORTS.map((name) => <option key={name}>{name}</option>)}
+        </select></label>
         <button type="button" class="text-button" disabled={value.keyframes.length === 0} onClick={() => void send({ do: 'keyframe', op: 'clear' })}>Clear</button>
       </div>
       {value.problem && <p class="banner">{value.problem}</p>}
@@ -106,15 +109,3 @@ function MotionPanel() {
     </div>
   );
 }
-
-function exportAs(form: 'csv' | 'json'): void {
-  const data = samples.value;
-  if (!data || data.t.length === 0) return toast('There is no motion to export');
-  const joints = robot.value?.joints.length ?? 0;
-  const name = `${robot.value?.id ?? 'arm'}-motion`;
-  if (form === 'json') return save(`${name}.json`, new Blob([JSON.stringify(data)], { type: 'application/json' }));
-  const head = ['t', ...Array.from({ length: joints }, (_, j) => `q${j + 1}`)].join(',');
-  const rows = data.t.map((t, k) => [t, ...data.q.map((values) => values[k])].join(','));
-  save(`${name}.csv`, new Blob([[head, ...rows].join('\n'), '\n'], { type: 'text/csv' }));
-}
-

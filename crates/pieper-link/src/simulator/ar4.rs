@@ -1,0 +1,171 @@
+//! A simulated AR4: whole moves, answered when they have ended.
+
+use std::time::Duration;
+
+use super::Device;
+use super::fault::Fault;
+use super::plant::{Plant, SimMotor};
+use crate::protocol::Lines;
+use crate::protocol::ar4::{AXES, Command, JOINTS, Move, Position, Refusal, Reply};
+
+/// How much a joint's encoder may differ from its step count, radians: five steps of 1/44 degree.
+const COLLISION: f64 = 0.002;
+
+/// A move under way.
+struct UnderWay {
+    from: Vec<f64>,
+    to: Vec<f64>,
+    since: Duration,
+    time: Duration,
+    was_slower: bool,
+}
+
+pub(super) struct Ar4Device {
+    plant: Plant,
+    lines: Lines,
+    move_now: Option<UnderWay>,
+    /// Booting, until then.
+    boots_until: Duration,
+}
+
+impl Ar4Device {
+    pub(super) fn new(motors: Vec<SimMotor>) -> Self {
+        Self {
+            plant: Plant::new(motors, 0.0),
+            lines: Lines::default(),
+            move_now: None,
+            boots_until: Duration::ZERO,
+        }
+    }
+
+    fn position(&self, was_slower: bool) -> Reply {
+        let mut at = Position {
+            was_slower,
+            is_stopped: self.plant.is_stopped(),
+            ..Position::default()
+        };
+        for (axis, motor) in self.plant.motors().iter().enumerate() {
+            let place = self.plant.place()[axis];
+            at.joints[axis] = match motor.is_angle {
+                true => place.to_degrees(),
+                false => place * 1e3,
+            };
+            if axis < JOINTS {
+                at.collided[axis] = self.plant.differs(axis, COLLISION);
+            }
+        }
+        // The tool's pose is the program's business: the firmware's own numbers are not modelled.
+        Reply::Position(at)
+    }
+
+    fn obey(&mut self, now: Duration, command: &Command) -> Option<Reply> {
+        match command {
+            Command::Position => Some(self.position(false)),
+            Command::Joints(to) => self.start(now, to),
+        }
+    }
+
+    fn start(&mut self, now: Duration, to: &Move) -> Option<Reply> {
+        if self.plant.is_stopped() {
+            return Some(self.position(false));
+        }
+        let motors = self.plant.motors();
+        let wanted: Vec<f64> = motors
+            .iter()
+            .zip(to.joints)
+            .map(|(motor, value)| match motor.is_angle {
+                true => value.to_radians(),
+                false => value * 1e-3,
+            })
+            .collect();
+        let mut beyond = [false; AXES];
+        for ((beyond, motor), value) in beyond.iter_mut().zip(motors).zip(&wanted) {
+            // Three decimals on the wire: a value at the end may be rounded past it.
+            *beyond = !(motor.range[0] - 1e-5..=motor.range[1] + 1e-5).contains(value);
+        }
+        if beyond.contains(&true) {
+            return Some(Reply::Refused(Refusal::Limit(beyond)));
+        }
+        let from = self.plant.place().to_vec();
+        let needed = (from.iter().zip(&wanted).zip(motors))
+            .map(|((from, to), motor)| (to - from).abs() / motor.rate)
+            .fold(0.0, f64::max);
+        let time = to.seconds.max(needed);
+        self.move_now = Some(UnderWay {
+            from,
+            to: wanted,
+            since: now,
+            time: Duration::from_secs_f64(time.min(3600.0)),
+            was_slower: needed > to.seconds + 1e-3,
+        });
+        None
+    }
+
+    fn answer(reply: &Reply, out: &mut Vec<u8>) {
+        out.extend_from_slice(reply.write().as_bytes());
+        out.extend_from_slice(b"\r\n");
+    }
+}
+
+impl Device for Ar4Device {
+    fn receive(&mut self, now: Duration, bytes: &[u8], out: &mut Vec<u8>) {
+        if now < self.boots_until {
+            return;
+        }
+        let mut commands = Vec::new();
+        self.lines.push(bytes, |line| {
+            // The firmware answers nothing to what it does not know, and so its host waits.
+            commands.extend(line.ok().and_then(Command::read));
+        });
+        for command in commands {
+            if let Some(reply) = self.obey(now, &command) {
+                Self::answer(&reply, out);
+            }
+        }
+    }
+
+    fn tick(&mut self, now: Duration, out: &mut Vec<u8>) {
+        let Some(under_way) = &self.move_now else {
+            return;
+        };
+        let gone = now.saturating_sub(under_way.since).as_secs_f64();
+        let whole = under_way.time.as_secs_f64();
+        let share = if whole > 0.0 {
+            (gone / whole).min(1.0)
+        } else {
+            1.0
+        };
+        let (from, to) = (under_way.from.clone(), under_way.to.clone());
+        let was_slower = under_way.was_slower;
+        for (axis, (from, to)) in from.iter().zip(&to).enumerate() {
+            self.plant.put(axis, from + (to - from) * share);
+        }
+        if share >= 1.0 || self.plant.is_stopped() {
+            self.move_now = None;
+            let reply = self.position(was_slower);
+            Self::answer(&reply, out);
+        }
+    }
+
+    fn period(&self) -> Duration {
+        Duration::from_millis(5)
+    }
+
+    fn inject(&mut self, now: Duration, fault: Fault) {
+        match fault {
+            Fault::Reset => {
+                self.move_now = None;
+                self.lines = Lines::default();
+                self.boots_until = now + Duration::from_millis(800);
+            }
+            Fault::EmergencyStop => self.plant.emergency_stop(true),
+            Fault::LoseSteps => self.plant.lose_steps(0.05),
+            // It has no clock on the wire.
+            _ => {}
+        }
+    }
+
+    fn motors(&self) -> Vec<f64> {
+        self.plant.place().to_vec()
+    }
+}

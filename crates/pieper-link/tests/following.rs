@@ -1,0 +1,96 @@
+//! A session with every simulated controller, on its real socket or pseudo-terminal, in good weather.
+
+mod common;
+
+use common::{PATIENCE, Rig};
+use pieper::motion::{Law, Profile};
+use pieper_link::{Kind, Phase};
+
+/// Arms, goes to a place, runs a motion from there, and checks that the arm did what it was told.
+fn follows(kind: Kind, tolerance: f64) {
+    let rig = Rig::new(kind);
+    let session = &rig.session;
+    let start = rig.measured();
+    assert!(
+        session.set_target(&start).is_err(),
+        "a connection shows only"
+    );
+    session.arm().unwrap();
+    let there: Vec<f64> = start
+        .iter()
+        .zip(rig.signs())
+        .map(|(q, s)| q + 0.12 * s)
+        .collect();
+    session.set_target(&there).unwrap();
+    rig.drive(PATIENCE, |status| {
+        status.phase == Phase::Holding && near(status.measured.as_deref(), &there, tolerance)
+    });
+    let back: Vec<f64> = there
+        .iter()
+        .zip(rig.signs())
+        .map(|(q, s)| q - 0.06 * s)
+        .collect();
+    let law = Law::new(
+        vec![0.0, 0.9, 1.8],
+        vec![there.clone(), back.clone(), there.clone()],
+        Profile::Quintic,
+    );
+    session.play(law.unwrap()).unwrap();
+    let status = rig.drive(PATIENCE, |status| {
+        status.phase == Phase::Holding && near(status.measured.as_deref(), &there, tolerance)
+    });
+    assert_eq!(status.sentence, None);
+    session.disarm().unwrap();
+    assert_eq!(session.status().phase, Phase::Watching);
+    // What the program shows is where the simulated motors are.
+    let told = rig.joints_of_motors();
+    assert!(near(Some(&told), &there, tolerance), "{told:?} {there:?}");
+}
+
+fn near(q: Option<&[f64]>, to: &[f64], tolerance: f64) -> bool {
+    q.is_some_and(|q| q.iter().zip(to).all(|(a, b)| (a - b).abs() < tolerance))
+}
+
+#[test]
+fn packets() {
+    follows(Kind::Packets, 1e-3);
+}
+
+#[test]
+fn ar4() {
+    follows(Kind::Ar4, 1e-4);
+}
+
+#[test]
+fn ar3() {
+    // A step of J5 is 0.0008 rad.
+    follows(Kind::Ar3, 1e-3);
+}
+
+#[test]
+fn ros() {
+    follows(Kind::Ros, 1e-3);
+}
+
+#[test]
+fn servo() {
+    // Whole degrees.
+    follows(Kind::Servo, 0.02);
+}
+
+#[test]
+fn egm() {
+    follows(Kind::Egm, 1e-3);
+}
+
+#[test]
+fn egm_with_poses_of_the_tool() {
+    let rig = Rig::with(Kind::Egm, |options| options.poses = true);
+    let session = &rig.session;
+    session.arm().unwrap();
+    let there = [0.1, 0.15, -0.1, 0.1, 0.4, -0.1];
+    session.set_target(&there).unwrap();
+    rig.drive(PATIENCE, |status| {
+        status.phase == Phase::Holding && near(status.measured.as_deref(), &there, 1e-3)
+    });
+}

@@ -7,6 +7,7 @@ mod derive;
 mod fk;
 mod ik;
 mod info;
+mod link;
 mod motors;
 mod robots;
 mod run;
@@ -37,6 +38,8 @@ pub(crate) enum Command {
     Codegen(codegen::Arguments),
     /// Inverse kinematics: a pose in, every solution out
     Ik(ik::Arguments),
+    /// Watch and move a real arm, or a simulated one
+    Link(link::Arguments),
     /// Show a robot in 3D, in the browser: move it, drag it, play motions
     Studio(studio::Arguments),
 }
@@ -54,6 +57,7 @@ impl Command {
             Self::Check(arguments) => arguments.run(),
             Self::Codegen(arguments) => arguments.run(),
             Self::Ik(arguments) => arguments.run(),
+            Self::Link(arguments) => arguments.run(),
             Self::Studio(arguments) => arguments.run(),
         }
     }

@@ -46,3 +46,8 @@ pub(crate) fn error(text: &str) {
 pub(crate) fn warning(text: &str) {
     let _ = writeln!(io::stderr(), "warning: {text}");
 }
+
+/// Says what goes on, on standard error.
+pub(crate) fn note(text: &str) {
+    let _ = writeln!(io::stderr(), "{text}");
+}

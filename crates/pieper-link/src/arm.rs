@@ -2,7 +2,7 @@
 
 use pieper::Result;
 use pieper::describe::Robot;
-use pieper::model::Chain;
+use pieper::model::{Chain, Limits};
 use pieper::transmission::Transmission;
 
 /// An arm and what drives it: joint values on the program's side, motor values on the wire.
@@ -31,6 +31,24 @@ impl Arm {
         })
     }
 
+    /// The same number of servos from 0 to 180 degrees, each a joint of its own: what an arm is before its servos are matched.
+    ///
+    /// # Errors
+    /// None today: such a chain can always be made.
+    pub fn with_bare_servos(&self) -> Result<Self> {
+        let mut parts = self.chain.parts().clone();
+        for (variable, motor) in parts.variables.iter_mut().zip(self.transmission.all()) {
+            motor.name().clone_into(&mut variable.name);
+            variable.limits = Some(Limits::new(0.0, std::f64::consts::PI)?);
+        }
+        let chain = Chain::new(parts)?;
+        Ok(Self {
+            name: self.name.clone(),
+            transmission: Transmission::new(&chain, [])?,
+            chain,
+        })
+    }
+
     /// The number of joints, and of motors.
     pub fn dof(&self) -> usize {
         self.chain.dof()
@@ -48,10 +66,13 @@ impl Arm {
 
     /// A value of a joint for people: degrees or millimetres, with the unit.
     pub fn shown(&self, joint: usize, value: f64) -> String {
-        match self.is_angle(joint) {
-            true => format!("{:.2}°", value.to_degrees()),
-            false => format!("{:.2} mm", value * 1000.0),
-        }
+        let (value, unit) = match self.is_angle(joint) {
+            true => (value.to_degrees(), "°"),
+            false => (value * 1000.0, " mm"),
+        };
+        // Rounded before it is printed, and what is nothing has no sign.
+        let rounded = (value * 100.0).round() / 100.0 + 0.0;
+        format!("{rounded:.2}{unit}")
     }
 
     /// What the controllers' side must know: which motors turn and which slide, and their names.

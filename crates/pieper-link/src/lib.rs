@@ -4,6 +4,7 @@
 //! - [`safety`]: what may be sent to an arm. One place decides it.
 //! - [`simulator`]: controllers that are not there, on real sockets and pseudo-terminals, with faults on demand.
 //! - [`transport`]: the cables.
+//! - [`matching`]: servos and joints, at their extreme positions.
 //! - [`Session`]: a thread that drives one arm.
 //!
 //! ```
@@ -42,6 +43,7 @@
 //! ```
 
 mod arm;
+pub mod matching;
 pub mod protocol;
 pub mod safety;
 mod session;

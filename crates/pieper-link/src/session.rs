@@ -58,6 +58,9 @@ pub struct Status {
     pub latency: Option<Duration>,
     /// How long the measured joints are behind the commanded ones, seconds; while they move.
     pub lag: Option<f64>,
+    /// The joint that is farthest from where it was sent, and how far; while armed. Of a controller that takes whole moves, at the end of
+    /// each.
+    pub error: Option<(usize, f64)>,
     /// How far a motion is, and how long it takes, seconds.
     pub progress: Option<[f64; 2]>,
     /// How many set-points have gone out.
@@ -78,20 +81,12 @@ impl Status {
             commanded: None,
             latency: None,
             lag: None,
+            error: None,
             progress: None,
             sent: 0,
             late: 0,
             dropped: (0, None),
         }
-    }
-
-    /// The joint that is farthest from where it was sent, and how far; while armed.
-    pub fn error(&self) -> Option<(usize, f64)> {
-        let (measured, commanded) = (self.measured.as_ref()?, self.commanded.as_ref()?);
-        let errors = commanded.iter().zip(measured).map(|(c, m)| c - m);
-        errors
-            .enumerate()
-            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 }
 
@@ -247,6 +242,14 @@ impl Session {
     /// A refusal in words: not armed, out of limits, a motion running.
     pub fn set_target(&self, q: &[f64]) -> Result<(), Refusal> {
         self.ask(|answer| Ask::Target(q.to_vec(), answer))
+    }
+
+    /// Changes the share of the arm's rates and accelerations that set-points may use, while the arm is at rest.
+    ///
+    /// # Errors
+    /// A refusal in words: it moves.
+    pub fn slow_down(&self, share: f64) -> Result<(), Refusal> {
+        self.ask(|answer| Ask::Share(share, answer))
     }
 
     /// Runs a motion that begins where the arm is.

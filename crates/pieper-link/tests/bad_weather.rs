@@ -1,5 +1,8 @@
 //! Every fault, with every controller, in the middle of a motion: what the arm does, and what a person is told.
 
+// Tests may unwrap, and so may their helper functions.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 mod common;
 
 use std::time::{Duration, Instant};

@@ -1,5 +1,8 @@
 //! A session with every simulated controller, on its real socket or pseudo-terminal, in good weather.
 
+// Tests may unwrap, and so may their helper functions.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 mod common;
 
 use common::{PATIENCE, Rig};

@@ -5,6 +5,7 @@
 
 mod fk;
 mod ik_questions;
+mod link;
 mod run;
 mod run_paths;
 mod studio;

@@ -242,6 +242,20 @@ impl Guard {
         self.phase = Phase::Holding;
     }
 
+    /// Another share of the arm's rates and accelerations, 0.01 to 1.
+    ///
+    /// # Errors
+    /// A refusal: the arm is moving.
+    pub fn slow_down(&mut self, share: f64) -> Result<(), Refusal> {
+        if matches!(self.phase, Phase::Moving | Phase::Playing) {
+            return Err(Refusal(
+                "the arm is moving: its speed is changed at rest".to_owned(),
+            ));
+        }
+        self.envelope = Envelope::of(Arc::clone(self.envelope.arm()), share);
+        Ok(())
+    }
+
     /// A place to go to, by rates and accelerations within the envelope.
     ///
     /// # Errors

@@ -16,6 +16,7 @@ use crate::transport::Transport;
 /// What the owner of a session wants.
 pub(super) enum Ask {
     Arm(Sender<Result<(), Refusal>>),
+    Share(f64, Sender<Result<(), Refusal>>),
     Target(Vec<f64>, Sender<Result<(), Refusal>>),
     Play(Law, Sender<Result<(), Refusal>>),
     Disarm(Sender<Result<(), Refusal>>),
@@ -157,6 +158,9 @@ impl Worker {
                     self.show();
                     let _ = answer.send(allowed);
                 }
+                Ask::Share(share, answer) => {
+                    let _ = answer.send(self.guard.slow_down(share));
+                }
                 Ask::Target(q, answer) => {
                     self.note(|| format!("asked to go to {q:?}"));
                     let allowed = self.guard.target(&q);
@@ -212,15 +216,33 @@ impl Worker {
             match self.guard.measure(now, motors) {
                 Err(refusal) => self.say(refusal.0),
                 Ok(false) => self.drop_bytes("a position too far from the one before"),
-                Ok(true) => {
-                    if !matches!(self.host.pace(), Pace::Moves(_)) || self.host.is_ready() {
-                        self.guard.watch_error();
-                    }
-                    self.measure_lag();
-                }
+                Ok(true) => self.compare(now),
             }
         }
         is_measured
+    }
+
+    /// Compares where the arm is with where it was sent; of whole moves, at the end of each.
+    fn compare(&mut self, now: Duration) {
+        let is_of_moves = matches!(self.host.pace(), Pace::Moves(_));
+        if is_of_moves && !self.host.is_ready() {
+            return;
+        }
+        self.guard.watch_error();
+        let (Some(commanded), Some(measured)) = (self.guard.commanded(), self.guard.measured())
+        else {
+            self.status.error = None;
+            return;
+        };
+        let errors = commanded.iter().zip(measured).map(|(c, m)| c - m);
+        let worst = errors
+            .enumerate()
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        self.status.error = worst;
+        match is_of_moves {
+            true => self.sample(now),
+            false => self.measure_lag(),
+        }
     }
 
     /// Sends the next set-point if it is time.
@@ -250,14 +272,14 @@ impl Worker {
         };
         self.host
             .set_point(now, point.motors, point.over, &mut self.out);
-        if !matches!(pace, Pace::Moves(_)) && dt > period.mul_f64(1.5) {
-            self.status.late += 1;
-        }
         self.status.sent += 1;
         self.last = now;
-        // Behind by more than a period: go on from now, and do not catch up in a rush.
-        self.due = (self.due + period).max(now + period / 4);
-        self.sample(now);
+        if !matches!(pace, Pace::Moves(_)) {
+            self.status.late += u64::from(dt > period.mul_f64(1.5));
+            // Behind by more than a period: go on from now, and do not catch up in a rush.
+            self.due = (self.due + period).max(now + period / 4);
+            self.sample(now);
+        }
     }
 
     /// What a stop means on the wire, and in words.
@@ -348,6 +370,7 @@ impl Worker {
         shown.phase = status.phase;
         shown.latency = status.latency;
         shown.lag = status.lag;
+        shown.error = status.error;
         shown.progress = status.progress;
         shown.sent = status.sent;
         shown.late = status.late;

@@ -1,7 +1,6 @@
 //! A simulated controller and a session with it.
 
 #![allow(dead_code, reason = "each test file uses a part")]
-#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU16, Ordering};

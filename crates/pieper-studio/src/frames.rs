@@ -7,6 +7,9 @@ pub(crate) const POSE: u8 = 1;
 /// Kind 2: where its other solutions are.
 pub(crate) const GHOSTS: u8 = 2;
 
+/// Kind 3: where the real arm is.
+pub(crate) const REAL: u8 = 3;
+
 /// The first 16 bytes of a frame.
 fn head(kind: u8, playing: bool, links: usize, sequence: u32, time: f64) -> Vec<u8> {
     let mut out = vec![kind, u8::from(playing)];
@@ -44,7 +47,16 @@ pub(crate) fn pose(
 
 /// A frame of ghosts, each the poses of all links.
 pub(crate) fn ghosts(sequence: u32, links: usize, ghosts: &[Vec<Isometry3<f64>>]) -> Vec<u8> {
-    let mut out = head(GHOSTS, false, links, sequence, 0.0);
+    arms(GHOSTS, sequence, links, ghosts)
+}
+
+/// A frame of the real arm: one or none.
+pub(crate) fn real(sequence: u32, links: usize, arm: &[Vec<Isometry3<f64>>]) -> Vec<u8> {
+    arms(REAL, sequence, links, arm)
+}
+
+fn arms(kind: u8, sequence: u32, links: usize, ghosts: &[Vec<Isometry3<f64>>]) -> Vec<u8> {
+    let mut out = head(kind, false, links, sequence, 0.0);
     out.extend((ghosts.len() as u32).to_le_bytes());
     for poses in ghosts {
         push_matrices(&mut out, poses);

@@ -2,6 +2,7 @@
 
 mod assets;
 mod autosave;
+mod controller;
 mod hub;
 mod picture;
 mod routes;
@@ -45,6 +46,7 @@ struct State {
     keys: Keys,
     scripts: Scripts,
     picture: picture::Waiting,
+    controller: controller::Controller,
 }
 
 impl Studio {
@@ -74,6 +76,7 @@ impl Studio {
             keys,
             scripts: Scripts::default(),
             picture: picture::Waiting::default(),
+            controller: controller::Controller::default(),
         });
         Ok(Self {
             runtime,
@@ -144,7 +147,9 @@ impl Studio {
 /// Serves for ever.
 async fn listen(listener: TcpListener, state: Arc<State>) -> Result<(), String> {
     let clock = tokio::spawn(hub::run(Arc::clone(&state)));
+    let looking = tokio::spawn(controller::run(Arc::clone(&state)));
     let served = axum::serve(listener, routes::router(state)).await;
     clock.abort();
+    looking.abort();
     served.map_err(|error| format!("the studio stopped: {error}"))
 }

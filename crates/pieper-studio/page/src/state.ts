@@ -4,7 +4,7 @@ import { computed, signal } from '@preact/signals';
 import { Connection, type Listener, type Phase } from './wire/connection';
 import { Shared, isSnapshot } from './wire/snapshot';
 import { decode, type GhostFrame, type PoseFrame } from './wire/frames';
-import type { Command, History, Ik, LogLine, Motion, Pose, Robot, RobotEntry, Samples, Script, Sections } from './wire/types';
+import type { Command, Controller, History, Ik, LogLine, Motion, Pose, Robot, RobotEntry, Samples, Script, Sections } from './wire/types';
 import type { Units } from './units';
 
 export const robots = signal<RobotEntry[]>([]);
@@ -15,6 +15,7 @@ export const motion = signal<Motion | null>(null);
 export const history = signal<History>({ undo: null, redo: null });
 export const log = signal<LogLine[]>([]);
 export const script = signal<Script | null>(null);
+export const controller = signal<Controller>({ phase: 'off', said: [] });
 export interface ConsoleLine { stream: 'out' | 'err' | 'note'; text: string }
 export const consoleLines = signal<ConsoleLine[]>([]);
 export const samples = signal<Samples | null>(null);
@@ -34,7 +35,7 @@ export const toasts = signal<Toast[]>([]);
 export const said = signal('');
 
 export type Tab = 'joints' | 'tool' | 'ik' | 'robot';
-export type Drawer = 'motion' | 'plots' | 'formulas' | 'script' | 'log' | null;
+export type Drawer = 'motion' | 'plots' | 'formulas' | 'script' | 'controller' | 'log' | null;
 export type Theme = 'system' | 'light' | 'dark';
 
 function stored<T extends string>(key: string, values: readonly T[], first: T): T {
@@ -110,6 +111,7 @@ const into: { [K in keyof Sections]?: (value: Sections[K]) => void } = {
     if (changed) void fetchSamples();
   },
   script: (value) => (script.value = value),
+  controller: (value) => (controller.value = value),
   history: (value) => (history.value = value),
   log: (value) => (log.value = value),
 };

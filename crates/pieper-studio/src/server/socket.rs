@@ -7,14 +7,15 @@ use futures_util::{SinkExt as _, StreamExt as _};
 use serde_json::{Value, json};
 use tokio::sync::broadcast::error::RecvError;
 
-use super::State;
+use super::{State, controller};
 use crate::command::Command;
 
 /// Serves one window until it goes.
 pub(super) async fn serve(socket: WebSocket, state: Arc<State>) {
     let (mut out, mut incoming) = socket.split();
     let mut changes = state.hub.listen();
-    for message in state.hub.whole() {
+    let told = state.hub.whole();
+    for message in told.into_iter().chain(controller::whole(&state.controller)) {
         if out.send(message).await.is_err() {
             return;
         }
@@ -72,7 +73,12 @@ fn answer(state: &Arc<State>, text: &str) -> Option<String> {
 
 /// Does a command, and wakes whoever tells the windows.
 pub(super) fn apply(state: &Arc<State>, message: Value) -> Result<Value, String> {
+    if let Some(result) = controller::apply(state, &message) {
+        return result;
+    }
     match message.get("do").and_then(Value::as_str) {
+        // What these bring back or change, no hand has moved: a real arm does not follow it.
+        Some("undo" | "redo" | "open" | "load") => state.controller.void(),
         // These two start and stop processes, which a session knows nothing of.
         Some("script_run") => {
             let text = message

@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { dark, ik, panelOpen, pose, tab, type Tab } from '../state';
+import { LiveFrame } from './Controller';
 import { Drawer } from './Drawer';
 import { Joints } from './Joints';
 import { Overlays } from './Overlays';
@@ -69,6 +70,7 @@ export function App() {
       <main class="stage" aria-label="3D view"><View /></main>
       {panelOpen.value && <Panel />}
       <Drawer />
+      <LiveFrame />
       <Overlays />
     </div>
   );

@@ -4,11 +4,12 @@ import { clock, drawer, log, motion, send, toast, type Drawer as Which } from '.
 import { IconButton } from './icons';
 import { NumberField } from './NumberField';
 import { isSnapshot } from '../wire/snapshot';
+import { ControllerPanel } from './Controller';
 import { Formulas } from './Formulas';
 import { Plots } from './Plots';
 import { ScriptPanel } from './Script';
 
-const TABS: [Exclude<Which, null>, string][] = [['motion', 'Motion'], ['plots', 'Plots'], ['formulas', 'Formulas'], ['script', 'Script'], ['log', 'Log']];
+const TABS: [Exclude<Which, null>, string][] = [['motion', 'Motion'], ['plots', 'Plots'], ['formulas', 'Formulas'], ['script', 'Script'], ['controller', 'Controller'], ['log', 'Log']];
 
 export function Drawer() {
   const open = drawer.value;
@@ -32,6 +33,7 @@ export function Drawer() {
         {open === 'plots' && <Plots />}
         {open === 'formulas' && <Formulas />}
         {open === 'script' && <ScriptPanel />}
+        {open === 'controller' && <ControllerPanel />}
         {open === 'log' && (log.value.length === 0 ? <p class="quiet">Nothing has happened that needs telling.</p> : <ol class="log">{log.value.map((line, k) => <li key={k} class={line.level}>{line.text}</li>)}</ol>)}
       </div>
     </footer>

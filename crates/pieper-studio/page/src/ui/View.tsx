@@ -38,6 +38,8 @@ function connect(view: Viewer): void {
   onFrame((frame) => {
     if (frame.kind === 'pose') {
       view.arm.move(frame.matrices);
+    } else if (frame.kind === 'real') {
+      view.real.move(frame, []);
     } else {
       ghosts = frame;
       drawGhosts();

@@ -1,6 +1,7 @@
 // The keyboard. Single letters act only where nothing is typed, and can be switched off (WCAG 2.1.4).
 
-import { drawer, letters, overlay, send, show } from '../state';
+import { controller, drawer, letters, overlay, send, show } from '../state';
+import { stopArm } from './Controller';
 import { addKeyframe, playOrPause } from './Drawer';
 import { stopScript } from './Script';
 import { snapshot } from './snapshot';
@@ -43,6 +44,8 @@ export const ACTIONS: Action[] = [
   { name: 'Formulas', keys: '', run: () => (drawer.value = drawer.value === 'formulas' ? null : 'formulas') },
   { name: 'Script', keys: '', run: () => (drawer.value = drawer.value === 'script' ? null : 'script') },
   { name: 'Stop the script', keys: '', run: stopScript },
+  { name: 'Controller of a real arm', keys: '', run: () => (drawer.value = drawer.value === 'controller' ? null : 'controller') },
+  { name: 'Stop the real arm', keys: 'Escape', run: stopArm },
   { name: 'Undo', keys: 'Ctrl+Z', run: () => void send({ do: 'undo' }) },
   { name: 'Redo', keys: 'Ctrl+Shift+Z', run: () => void send({ do: 'redo' }) },
   { name: 'Save the project', keys: 'Ctrl+S', run: () => location.assign('/api/project.json?download') },
@@ -52,6 +55,8 @@ export const ACTIONS: Action[] = [
 
 export function listen(): void {
   addEventListener('keydown', (event) => {
+    // Before anything else, wherever the focus is.
+    if (event.key === 'Escape' && controller.value.live) return stopArm();
     const typing = event.target instanceof HTMLElement && event.target.closest('input:not([type=range]):not([type=checkbox]), textarea, select, .cm-editor, dialog');
     if (event.ctrlKey || event.metaKey) {
       const name = `Ctrl+${event.shiftKey ? 'Shift+' : ''}${event.key.toUpperCase()}`;

@@ -6,6 +6,8 @@ import type { GhostFrame } from '../wire/frames';
 import type { Arm, DrawnPart } from './arm';
 
 const MOST = 16;
+/** The real arm, as the controller tells of it. */
+export const REAL = { color: new Color(0xe8590c), opacity: 0.55 };
 const POINTED = new Color(0x7c3aed);
 
 export class Ghosts {
@@ -16,11 +18,14 @@ export class Ghosts {
   private hidden: boolean[] = [];
   private pointed: number | null = null;
 
+  /** Without a look of their own, ghosts are grey and faint. */
+  constructor(private readonly look: { color: Color; opacity: number } | null = null) {}
+
   load(arm: Arm): void {
     this.object.clear();
     this.meshes.forEach(({ mesh }) => mesh.dispose());
     this.meshes = arm.parts.map((part) => {
-      const material = new MeshLambertMaterial({ transparent: true, opacity: 0.17, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 12 });
+      const material = new MeshLambertMaterial({ transparent: true, opacity: this.opacity, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 12 });
       const mesh = new InstancedMesh(part.geometry, material, MOST);
       mesh.frustumCulled = false;
       mesh.count = 0;
@@ -32,7 +37,7 @@ export class Ghosts {
   }
 
   setDark(dark: boolean): void {
-    this.plainColor = new Color(dark ? 0xaab3c5 : 0x5b6478);
+    this.plainColor = this.look?.color ?? new Color(dark ? 0xaab3c5 : 0x5b6478);
     this.paint();
   }
 
@@ -60,6 +65,10 @@ export class Ghosts {
     this.paint();
   }
 
+  private get opacity(): number {
+    return this.look?.opacity ?? 0.17;
+  }
+
   private paint(): void {
     if (!this.frame) return;
     const drawn: number[] = [];
@@ -67,7 +76,7 @@ export class Ghosts {
     for (const { mesh } of this.meshes) {
       drawn.forEach((k, place) => mesh.setColorAt(place, k === this.pointed ? POINTED : this.plainColor));
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
-      (mesh.material as MeshLambertMaterial).opacity = this.pointed === null ? 0.17 : 0.24;
+      (mesh.material as MeshLambertMaterial).opacity = this.opacity + (this.pointed === null ? 0 : 0.07);
     }
   }
 }

@@ -7,7 +7,7 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Robot } from '../wire/types';
 import { Arm } from './arm';
-import { Ghosts } from './ghosts';
+import { Ghosts, REAL } from './ghosts';
 import { Ground } from './ground';
 import { Path } from './path';
 
@@ -24,6 +24,7 @@ export class Viewer {
   readonly controls: OrbitControls;
   readonly arm: Arm;
   readonly ghosts: Ghosts;
+  readonly real = new Ghosts(REAL);
   readonly ground = new Ground();
   readonly path = new Path();
   readonly tool = new Group();
@@ -57,7 +58,7 @@ export class Viewer {
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.01;
     this.tool.add(this.triad);
-    this.scene.add(this.sky, this.sun, this.sun.target, this.fill, this.ground.object, this.arm.object, this.ghosts.object, this.path.object, this.tool);
+    this.scene.add(this.sky, this.sun, this.sun.target, this.fill, this.ground.object, this.arm.object, this.ghosts.object, this.real.object, this.path.object, this.tool);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
     this.resize();
   }
@@ -111,6 +112,7 @@ export class Viewer {
     this.ground.resize(s);
     await this.arm.load(robot);
     this.ghosts.load(this.arm);
+    this.real.load(this.arm);
     this.path.outline(robot);
     if (!keepCamera) this.fit('home');
     this.invalidate();
@@ -124,6 +126,7 @@ export class Viewer {
     this.ground.setDark(dark);
     this.path.setDark(dark);
     this.ghosts.setDark(dark);
+    this.real.setDark(dark);
     this.invalidate();
   }
 

@@ -1,7 +1,7 @@
 // Binary frames: WIRE.md section 5. Little endian.
 
 export interface PoseFrame { kind: 'pose'; playing: boolean; sequence: number; time: number; q: Float32Array; links: number; matrices: Float32Array }
-export interface GhostFrame { kind: 'ghosts'; sequence: number; links: number; count: number; matrices: Float32Array }
+export interface GhostFrame { kind: 'ghosts' | 'real'; sequence: number; links: number; count: number; matrices: Float32Array }
 
 const HEAD = 16;
 
@@ -21,9 +21,9 @@ export function decode(buffer: ArrayBuffer): PoseFrame | GhostFrame | null {
       q: new Float32Array(buffer, HEAD + 4, count), matrices: new Float32Array(buffer, start, 16 * links),
     };
   }
-  if (kind === 2) {
+  if (kind === 2 || kind === 3) {
     if (buffer.byteLength < HEAD + 4 + 64 * links * count) return null;
-    return { kind: 'ghosts', sequence, links, count, matrices: new Float32Array(buffer, HEAD + 4, 16 * links * count) };
+    return { kind: kind === 2 ? 'ghosts' : 'real', sequence, links, count, matrices: new Float32Array(buffer, HEAD + 4, 16 * links * count) };
   }
   return null;
 }

@@ -56,12 +56,19 @@ export interface History { undo: string | null; redo: string | null }
 export interface LogLine { level: 'info' | 'warning' | 'error'; text: string }
 
 export interface Sections {
-  robots: RobotEntry[]; robot: Robot; pose: Pose; ik: Ik; motion: Motion; history: History; log: LogLine[]; script: Script;
+  robots: RobotEntry[]; robot: Robot; pose: Pose; ik: Ik; motion: Motion; history: History; log: LogLine[]; script: Script; controller: Controller;
 }
 
 export interface Script {
   text: string; running: boolean; error: { line: number | null; text: string } | null; ended: string | null;
   python: { found: boolean; version: string; numpy: boolean; sentence: string } | null;
+}
+
+export interface Controller {
+  phase: string; live?: boolean; held?: boolean; address?: string; protocol?: string; controller?: string | null;
+  sentence?: string | null; said: string[]; measured?: number[] | null; commanded?: number[] | null;
+  error?: { joint: number; error: number } | null; lag?: number | null; latency?: number | null;
+  progress?: [number, number] | null; sent?: number; late?: number; dropped?: number;
 }
 
 export type Command = { do: string } & Record<string, unknown>;

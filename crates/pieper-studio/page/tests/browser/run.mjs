@@ -242,6 +242,98 @@ const cases = [
     check(wrong.length === 0, wrong.join('; '));
     await context.close();
   }],
+  ['a real arm is shown, armed, moved while a button is held, and stopped', 'ar4', async (page) => {
+    const said = (value) => page.evaluate(() => document.querySelector('.phase')?.textContent).then((text) => text === value);
+    const phase = (wanted) => until(page, () => document.querySelector('.phase')?.textContent ?? document.querySelector('.controller .banner')?.textContent, (text) => text === wanted, `phase ${wanted}`);
+    const measured = () => page.evaluate(() => [...document.querySelectorAll('.mirror td.real')].map((cell) => Number(cell.textContent)));
+    const real = () => page.evaluate(() => { const e = window.pieperViewer.real.frame; return e && e.count === 1 ? [...e.matrices.slice(-4, -1)] : null; });
+    await page.getByRole('tab', { name: 'Controller' }).click();
+    await page.getByLabel('Protocol').selectOption('packets');
+    await page.getByRole('button', { name: 'Connect', exact: true }).click();
+    await phase('watching');
+    check(await real(), 'the real arm is drawn');
+    // A connection shows only.
+    await set(page, 1, '20');
+    await page.waitForTimeout(400);
+    check((await measured())[0] === 0, 'nothing moved before it was armed');
+    check(await page.getByRole('button', { name: 'Hold to move here' }).isDisabled(), 'nothing to hold before it is armed');
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await phase('holding');
+    check(await page.locator('.live-frame').isVisible(), 'a red frame while it is live');
+    await page.waitForTimeout(500);
+    check((await measured())[0] === 0, 'nothing moved before the button was held');
+    const hold = page.getByRole('button', { name: 'Hold to move here' });
+    const box = await hold.boundingBox();
+    await page.mouse.move(box.x + 20, box.y + 10);
+    await page.mouse.down();
+    await until(page, () => Number(document.querySelector('.mirror td.real').textContent), (q) => q > 3, 'it moves while held');
+    await page.mouse.up();
+    await phase('holding');
+    const rest = (await measured())[0];
+    check(rest > 3 && rest < 19, `let go on the way, it rests there: ${rest}`);
+    // Undo moves the picture, and never the arm, even while the button is held.
+    await page.mouse.down();
+    await until(page, () => Number(document.querySelector('.mirror td.real').textContent), (q) => Math.abs(q - 20) < 0.1, 'it arrives');
+    await page.keyboard.press('Control+z');
+    await page.waitForTimeout(600);
+    check(Math.abs((await measured())[0] - 20) < 0.2, 'undo moved the arm');
+    await page.mouse.up();
+    // Stop is one action, from the keyboard too.
+    await set(page, 1, '90');
+    await page.mouse.down();
+    await until(page, () => Number(document.querySelector('.mirror td.real').textContent), (q) => q > 25, 'it moves again');
+    await page.keyboard.press('Escape');
+    await phase('stopped');
+    await page.mouse.up();
+    check(await page.locator('.live-frame').count() === 0, 'no frame once it is stopped');
+    await axe(page, 'the controller panel');
+    // A window that dies stops it.
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await phase('holding');
+    await page.evaluate(() => { const busy = Date.now() + 900; while (Date.now() < busy); });
+    await phase('stopped');
+    check((await page.locator('.controller .banner').textContent()).includes('silent'), 'it is told why');
+    // Another arm ends the connection.
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await phase('holding');
+    await page.getByRole('button', { name: 'Disarm' }).click();
+    await phase('watching');
+    check(await said('watching'), 'disarmed');
+    await page.getByRole('button', { name: 'Disconnect' }).click();
+    await until(page, () => document.querySelector('.phase'), (phase) => phase === null, 'disconnected');
+  }],
+  ['a motion runs on a real arm while its button is held', 'ar4', async (page) => {
+    const phase = (wanted) => until(page, () => document.querySelector('.phase')?.textContent, (text) => text === wanted, `phase ${wanted}`);
+    await page.locator('.drawer').getByRole('button', { name: 'Add this posture as a keyframe' }).click();
+    await set(page, 1, '30');
+    await page.locator('.drawer').getByRole('button', { name: 'Add this posture as a keyframe' }).click();
+    await page.getByRole('tab', { name: 'Controller' }).click();
+    await page.getByLabel('Protocol').selectOption('ar4');
+    await page.getByRole('button', { name: 'Connect', exact: true }).click();
+    await phase('watching');
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await phase('holding');
+    const run = await page.getByRole('button', { name: 'Hold to run the motion' }).boundingBox();
+    await page.mouse.move(run.x + 20, run.y + 10);
+    await page.mouse.down();
+    await until(page, () => Number(document.querySelector('.mirror td.real').textContent), (q) => Math.abs(q - 30) < 0.01, 'it runs to its end');
+    await phase('holding');
+    await page.mouse.up();
+    // Let go on the way, it stops.
+    await set(page, 1, '0');
+    await page.mouse.move(run.x - 100, run.y + 10);
+    await page.mouse.down();
+    await until(page, () => Number(document.querySelector('.mirror td.real').textContent), (q) => Math.abs(q) < 0.01, 'back at the start');
+    await page.mouse.up();
+    await phase('holding');
+    await page.mouse.move(run.x + 20, run.y + 10);
+    await page.mouse.down();
+    await phase('playing');
+    await page.waitForTimeout(700);
+    await phase('playing');
+    await page.mouse.up();
+    await phase('stopped');
+  }],
   ['everything can be done from the keyboard', 'ar3', async (page) => {
     await page.keyboard.press('Control+k');
     await page.getByRole('combobox', { name: 'Search commands' }).waitFor();

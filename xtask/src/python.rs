@@ -11,7 +11,7 @@ use crate::steps::{run, say};
 /// continuous integration.
 pub(crate) fn checks() -> bool {
     let Some(python) = environment() else {
-        let missing = "not run: the checks against Pinocchio, mpmath and SymPy (they need python3 >= 3.11 with venv, and PyPI)";
+        let missing = "not run: the checks against Pinocchio, mpmath, SymPy and protobuf (they need python3 >= 3.11 with venv, and PyPI)";
         say(missing);
         return std::env::var_os("CI").is_none();
     };
@@ -29,6 +29,7 @@ pub(crate) fn checks() -> bool {
             "equality of formulas, by SymPy",
             &["tests/sympy_peer.py", "--bin", "target/release/pieper"],
         )
+        && check("EGM messages, by Google's protobuf", &["tests/egm_peer.py"])
 }
 
 /// The virtual environment's interpreter, made and filled if need be.

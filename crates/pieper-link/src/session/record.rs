@@ -4,7 +4,7 @@ use std::fmt;
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::Path;
-use std::sync::mpsc::{SyncSender, TrySendError, sync_channel};
+use std::sync::mpsc::{SyncSender, TryRecvError, TrySendError, sync_channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, SystemTime};
 
@@ -17,6 +17,9 @@ use crate::transport::Address;
 
 /// Entries that may wait for the disk: eight seconds of EGM.
 const WAITING: usize = 2048;
+
+/// How often they are written.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// A line of a record.
 #[derive(Clone, Debug, PartialEq)]
@@ -210,16 +213,25 @@ impl Recorder {
         let thread = std::thread::Builder::new()
             .name("pieper-link-record".to_owned())
             .spawn(move || {
-                while let Ok(line) = heard.recv() {
-                    // A full disk must not stop the arm's driver: the record ends here, as its reader sees.
-                    if writeln!(file, "{}", document(&line)).is_err() {
-                        return;
+                // It looks now and then instead of waiting: to wake it in every cycle would cost the arm's driver its turn.
+                let mut is_open = true;
+                while is_open {
+                    std::thread::sleep(PAUSE);
+                    loop {
+                        match heard.try_recv() {
+                            // A full disk must not stop the arm's driver: the record ends here, as its reader sees.
+                            Ok(line) if writeln!(file, "{}", document(&line)).is_err() => return,
+                            Ok(_) => {}
+                            Err(error) => {
+                                is_open = error == TryRecvError::Empty;
+                                break;
+                            }
+                        }
                     }
-                    if matches!(line, Line::Note(..)) && file.flush().is_err() {
+                    if file.flush().is_err() {
                         return;
                     }
                 }
-                let _ = file.flush();
             })
             .map_err(|error| format!("no thread could be started: {error}"))?;
         Ok(Self {

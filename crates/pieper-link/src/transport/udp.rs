@@ -60,9 +60,6 @@ impl Transport for UdpListener {
     }
 }
 
-/// How long a caller sleeps between two looks at its socket.
-const SLICE: Duration = Duration::from_micros(400);
-
 /// Calls a listener, as a controller does.
 pub struct UdpCaller(UdpSocket);
 
@@ -81,7 +78,6 @@ impl UdpCaller {
 
 impl Transport for UdpCaller {
     fn read(&mut self, buffer: &mut [u8], wait: Duration) -> io::Result<usize> {
-        // A socket's own time-out is rounded to the kernel's ticks, up to 10 ms: too coarse for one who calls every 4 ms.
         let end = Instant::now() + wait;
         loop {
             match self.0.recv(buffer) {
@@ -93,13 +89,35 @@ impl Transport for UdpCaller {
             if left.is_zero() {
                 return Ok(0);
             }
-            std::thread::sleep(left.min(SLICE));
+            wait_for(&self.0, left)?;
         }
     }
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         sent(self.0.send(bytes))
     }
+}
+
+/// Waits for a datagram. A socket's own time-out is rounded to the kernel's ticks, up to 10 ms: too coarse for one who calls every
+/// 4 ms.
+#[cfg(unix)]
+fn wait_for(socket: &UdpSocket, wait: Duration) -> io::Result<()> {
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    let wait = Timespec {
+        tv_sec: wait.as_secs() as _,
+        tv_nsec: wait.subsec_nanos() as _,
+    };
+    match poll(&mut [PollFd::new(socket, PollFlags::IN)], Some(&wait)) {
+        Ok(_) | Err(rustix::io::Errno::INTR) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Elsewhere it looks often enough.
+#[cfg(not(unix))]
+fn wait_for(_: &UdpSocket, wait: Duration) -> io::Result<()> {
+    std::thread::sleep(wait.min(Duration::from_micros(400)));
+    Ok(())
 }
 
 /// Datagrams to where nobody listens: not an error of ours, they may come.

@@ -1,6 +1,7 @@
 //! The steps that need nothing but the Rust toolchain.
 
 use std::io::Write as _;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -29,6 +30,7 @@ pub(crate) fn workspace() -> bool {
         ]
     };
     octave();
+    avr();
     cargo("format", &["fmt", "--all", "--check"])
         && cargo(
             "lints",
@@ -66,7 +68,16 @@ fn documentation() -> bool {
 /// Octave, which runs the generated MATLAB code. Without it that test is left out with a word about it.
 fn octave() {
     if !found("octave-cli") {
-        install("Octave", "octave");
+        install("Octave", &["octave"]);
+    }
+}
+
+/// The AVR compiler and simavr, which run the reference firmware as a board would. Without them that test is left out with a word
+/// about it.
+fn avr() {
+    if !found("avr-gcc") || !Path::new("/usr/include/simavr/sim_avr.h").exists() {
+        let packages = ["gcc-avr", "avr-libc", "libsimavr-dev", "libelf-dev"];
+        install("AVR compiler and simavr", &packages);
     }
 }
 
@@ -85,9 +96,9 @@ pub(crate) fn found(program: &str) -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
-/// Installs a package in the continuous integration where Debian's packages are at hand; on a person's computer nothing is
+/// Installs packages in the continuous integration where Debian's packages are at hand; on a person's computer nothing is
 /// installed.
-pub(crate) fn install(step: &str, package: &str) {
+pub(crate) fn install(step: &str, packages: &[&str]) {
     if !in_integration() || !found("apt-get") {
         return;
     }
@@ -95,7 +106,8 @@ pub(crate) fn install(step: &str, package: &str) {
     update.args(["update", "-qq"]);
     let mut install = Command::new("apt-get");
     install
-        .args(["install", "-y", "-qq", "--no-install-recommends", package])
+        .args(["install", "-y", "-qq", "--no-install-recommends"])
+        .args(packages)
         .env("DEBIAN_FRONTEND", "noninteractive");
     let _ = run("package lists", update) && run(step, install);
 }

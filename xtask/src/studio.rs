@@ -71,7 +71,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 fn in_browser() -> bool {
     if !found("chromium") {
-        install("Chromium", "chromium");
+        install("Chromium", &["chromium"]);
     }
     let Some(chromium) = [
         "/usr/bin/chromium",

@@ -36,7 +36,7 @@ impl Random {
         Axes::of(&(0..count).map(|_| self.angle()).collect::<Vec<_>>()).unwrap()
     }
 
-    fn to_device(&mut self) -> ToDevice {
+    fn program_says(&mut self) -> ToDevice {
         let (session, time) = (self.next() as u32, self.next() as u32);
         match self.below(6) {
             0 => ToDevice::Hello,
@@ -52,7 +52,7 @@ impl Random {
         }
     }
 
-    fn to_host(&mut self) -> ToHost {
+    fn controller_says(&mut self) -> ToHost {
         match self.below(3) {
             0 => ToHost::Refused {
                 sequence: self.next() as u16,
@@ -93,7 +93,7 @@ fn every_packet_comes_back_as_it_was() {
     for sequence in 0..20_000_u32 {
         let sequence = sequence as u16;
         let mut bytes = Vec::new();
-        let (to_device, to_host) = (random.to_device(), random.to_host());
+        let (to_device, to_host) = (random.program_says(), random.controller_says());
         to_device.encode(sequence, &mut bytes);
         to_host.encode(sequence, &mut bytes);
         let found = packets_of(&bytes);
@@ -112,7 +112,7 @@ fn one_flipped_bit_never_passes() {
     let mut bytes = Vec::new();
     for _ in 0..200 {
         bytes.clear();
-        let message = random.to_device();
+        let message = random.program_says();
         message.encode(1, &mut bytes);
         let length = bytes.len();
         ToDevice::Hello.encode(2, &mut bytes);
@@ -232,6 +232,10 @@ fn replies_of_the_text_protocols_come_back_as_they_were() {
         let degrees = [0.5, -1.25, 3.0, 90.0, -90.0, f64::from(counts[0])];
         let line = ros::write("MT", &degrees);
         assert_eq!(ros::read(line.strip_prefix("MT").unwrap()), Some(degrees));
+    }
+    for error in ["EL010000", "ER", "EA3", "EB", "ES", "EG", "EC000001"] {
+        let reply = ar4::Reply::read(error).unwrap();
+        assert_eq!(ar4::Reply::read(&reply.write()), Some(reply), "{error}");
     }
     // As the firmware writes it, with what a parser must not stumble over.
     let line = "A0.000B-1.500C2.000D0.000E90.000F0.000G286.830H0.000I438.520J0.000K180.000L0.000M1Nspeed O 5OEC010000P0.00Q1.25R0.00";

@@ -83,7 +83,7 @@ impl Reply {
                 Refusal::Limit(axes) => format!("EL{}", digits(axes)),
                 Refusal::Unreachable => "ER".to_owned(),
                 Refusal::Switch(axis) => format!("EA{axis}"),
-                Refusal::Other(text) => format!("E{text}"),
+                Refusal::Other(text) => text.clone(),
             },
             Self::Position(at) => {
                 let mut line = String::new();

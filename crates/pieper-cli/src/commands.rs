@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod calibrate;
 mod check;
 mod codegen;
 mod convert;
@@ -34,6 +35,8 @@ pub(crate) enum Command {
     Derive(derive::Arguments),
     /// Check printed formulas against an arm
     Check(check::Arguments),
+    /// Identify the arm that is really there from measurements
+    Calibrate(calibrate::Arguments),
     /// Generate source code: Rust, C, C++, Python or MATLAB
     Codegen(codegen::Arguments),
     /// Inverse kinematics: a pose in, every solution out
@@ -55,6 +58,7 @@ impl Command {
             Self::Convert(arguments) => arguments.run(),
             Self::Derive(arguments) => arguments.run(),
             Self::Check(arguments) => arguments.run(),
+            Self::Calibrate(arguments) => arguments.run(),
             Self::Codegen(arguments) => arguments.run(),
             Self::Ik(arguments) => arguments.run(),
             Self::Link(arguments) => arguments.run(),

@@ -51,4 +51,4 @@ pub use error::{Error, Result};
 pub use figure::{Figure, Theme};
 pub use path_views::{PathMark, PathViews, Space, path_views};
 pub use report::{Matrix, Report, Section, Table};
-pub use time_chart::{Panel, Series, TimeChart, TimeMark, time_chart};
+pub use time_chart::{Panel, Series, TimeChart, TimeMark, chart_along, time_chart};

@@ -108,6 +108,15 @@ pub struct TimeChart {
 /// Where there is nothing to draw, a number is not finite, times do not ascend, or a series has not
 /// one value per time.
 pub fn time_chart(chart: &TimeChart) -> Result<Figure> {
+    chart_along(chart, "Time, s")
+}
+
+/// As [`time_chart`], along something else than time: the number of a measurement, a distance.
+///
+/// # Errors
+///
+/// As [`time_chart`].
+pub fn chart_along(chart: &TimeChart, axis: &str) -> Result<Figure> {
     check(chart)?;
     let moments = chart.times.iter().copied();
     let moments = moments.chain(chart.marks.iter().map(|mark| mark.time));
@@ -136,7 +145,7 @@ pub fn time_chart(chart: &TimeChart) -> Result<Figure> {
         let axes = Axes::new(*area, times, values_range(panel));
         let place = Place {
             legend: area.top - legend_height(panel, borders) - if index == 0 { strip } else { 0.0 },
-            last: index + 1 == areas.len(),
+            axis: (index + 1 == areas.len()).then_some(axis),
         };
         draw_panel(&mut scene, chart, panel, &axes, place);
     }
@@ -189,11 +198,11 @@ fn values_range(panel: &Panel) -> [f64; 2] {
 }
 
 /// Where a panel stands among the others.
-struct Place {
+struct Place<'a> {
     /// The upper edge of its legend.
     legend: f64,
-    /// Whether it carries the time axis.
-    last: bool,
+    /// The name of the axis, if it carries it.
+    axis: Option<&'a str>,
 }
 
 fn value_ticks(panel: &Panel, height: f64) -> Ticks {
@@ -201,14 +210,14 @@ fn value_ticks(panel: &Panel, height: f64) -> Ticks {
     ticks(low, high, (height / 32.0) as usize, &panel.unit)
 }
 
-fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, place: Place) {
+fn draw_panel(scene: &mut Scene, chart: &TimeChart, panel: &Panel, axes: &Axes, place: Place<'_>) {
     scene.open(&panel.name);
     let time_ticks = level_ticks(axes.x.values, 12, "s", axes.area.width);
     let value_ticks = value_ticks(panel, axes.area.height);
     axes.ground(scene, &time_ticks, &value_ticks);
     axes.label_y(scene, &value_ticks, &with_unit(&panel.name, &panel.unit));
-    if place.last {
-        axes.label_x(scene, &time_ticks, "Time, s");
+    if let Some(axis) = place.axis {
+        axes.label_x(scene, &time_ticks, axis);
     }
     for mark in &chart.marks {
         let x = axes.x.at(mark.time);

@@ -5,6 +5,7 @@
 pub mod dh;
 pub mod drives;
 pub mod expr;
+mod measurement_table;
 mod motion_table;
 pub mod robot;
 mod robot_file;
@@ -14,6 +15,7 @@ pub mod xacro;
 
 pub use dh::{Convention, DhTable};
 pub use expr::Expr;
+pub use measurement_table::{Measurement, Seen, measurements_from_csv};
 pub use motion_table::{MotionTable, MotionValues, ToolPoints};
 pub use robot::{Form, Golden, Robot};
 pub use screws::ScrewTable;

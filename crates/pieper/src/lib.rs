@@ -25,6 +25,8 @@ pub mod ik;
 
 pub mod motion;
 
+pub mod calibration;
+
 pub use error::{Error, Result};
 
 /// The README's program is compiled with the documentation's examples.

@@ -3,6 +3,7 @@
 // Tests may unwrap, and so may their helper functions, which clippy.toml's exception does not reach.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod calibrate;
 mod fk;
 mod ik_questions;
 mod link;

@@ -1,6 +1,6 @@
 //! Motion tables: CSV text to rows of joint values, tool poses or tool points over time.
 
-mod cells;
+pub(super) mod cells;
 mod columns;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};

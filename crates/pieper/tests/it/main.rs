@@ -6,6 +6,7 @@
 mod ar3;
 mod bad_robot_files;
 mod batches;
+mod calibration;
 mod derivatives;
 mod descriptions;
 mod general6r;

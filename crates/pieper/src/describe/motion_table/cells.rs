@@ -11,15 +11,15 @@ const MOST_CELLS: usize = 1000;
 
 /// A cell: its text without surrounding blanks and quotes.
 #[derive(Clone, Debug)]
-pub(super) struct Cell<'a> {
-    pub(super) text: Cow<'a, str>,
+pub(in crate::describe) struct Cell<'a> {
+    pub(in crate::describe) text: Cow<'a, str>,
     /// The offset of its first character, or of its opening quote.
-    pub(super) start: usize,
+    pub(in crate::describe) start: usize,
 }
 
 impl Cell<'_> {
     /// The text in quotes, shortened to what fits in a message.
-    pub(super) fn shown(&self) -> String {
+    pub(in crate::describe) fn shown(&self) -> String {
         if self.text.chars().count() > 40 {
             let start: String = self.text.chars().take(40).collect();
             format!("{:?}", format!("{start}..."))
@@ -30,7 +30,7 @@ impl Cell<'_> {
 }
 
 /// The lines that hold something, one after the other.
-pub(super) struct Records<'a> {
+pub(in crate::describe) struct Records<'a> {
     file: &'a str,
     text: &'a str,
     at: usize,
@@ -38,7 +38,7 @@ pub(super) struct Records<'a> {
 }
 
 impl<'a> Records<'a> {
-    pub(super) fn new(file: &'a str, text: &'a str) -> Self {
+    pub(in crate::describe) fn new(file: &'a str, text: &'a str) -> Self {
         Self {
             file,
             text,
@@ -48,12 +48,12 @@ impl<'a> Records<'a> {
     }
 
     /// Where the line last read ended.
-    pub(super) fn line_end(&self) -> usize {
+    pub(in crate::describe) fn line_end(&self) -> usize {
         self.line_end
     }
 
     /// Puts the next line's cells into `cells`; `false` at the end of the text.
-    pub(super) fn read(&mut self, cells: &mut Vec<Cell<'a>>) -> Result<bool> {
+    pub(in crate::describe) fn read(&mut self, cells: &mut Vec<Cell<'a>>) -> Result<bool> {
         cells.clear();
         while self.at < self.text.len() {
             let line = self.rest().lines().next().unwrap_or_default();

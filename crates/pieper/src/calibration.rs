@@ -37,6 +37,7 @@ mod design;
 mod identify;
 mod measurement;
 mod model;
+mod place;
 mod problem;
 mod robust;
 mod simulate;

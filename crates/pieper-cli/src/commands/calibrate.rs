@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use pieper::calibration::{Calibration, Groups, Kind, Model, Simulation, simulate};
-use pieper::describe::measurements_from_csv;
+use pieper::describe::{Measurement, measurements_from_csv};
 
 use crate::error::{Failure, Outcome};
 use crate::output;
@@ -27,6 +27,9 @@ MEASUREMENTS is a table of comma-separated values with a header: the joints as q
 q1_deg for degrees), and what was seen there: x,y,z with qw,qx,qy,qz or roll,pitch,yaw (poses), x,y,z alone (positions), distance and \
 anchor (a ball bar or a wire, with a name), plane or contact (a name). px,py,pz is the point of the tool that was looked at; sigma and \
 sigma_angle are standard deviations (x_mm, sigma_mm in millimetres). Kinds may be mixed: cells of the others stay empty.
+
+With --parameters base,tool it is hand-eye calibration: of a marker on the tool that a device beside the arm sees (AX = YB), or, with \
+--eye-in-hand, of a camera on the tool that looks at a target (AX = XB). The arm's own numbers stay as they are.
 
 Parameters that the measurements cannot tell apart are named and held. The result is a robot file, which `pieper fk`, `ik`, \
 `run` and `studio` take, and a report beside it (.html). Exit code 1: it did not converge.")]
@@ -53,6 +56,10 @@ pub(crate) struct Arguments {
     /// Count every measurement alike, also those that do not agree with the others
     #[arg(long)]
     plain: bool,
+
+    /// The poses are those of a target in the frame of a camera on the tool: the base becomes the target, the tool the camera
+    #[arg(long, conflicts_with_all = ["simulate", "design"])]
+    eye_in_hand: bool,
 
     /// Make measurements of an arm whose numbers are a little wrong
     #[arg(long, conflicts_with = "measurements")]
@@ -122,6 +129,13 @@ impl Arguments {
         };
         let name = file.display().to_string();
         let measurements = measurements_from_csv(&name, &read_text(file)?, model.chain())?;
+        let measurements: Vec<_> = match self.eye_in_hand {
+            true => measurements
+                .into_iter()
+                .map(Measurement::of_eye_in_hand)
+                .collect(),
+            false => measurements,
+        };
         let calibration = Calibration::new(model.clone(), measurements.clone())?;
         let result = calibration.robust(!self.plain).run()?;
         let report = report::Report {

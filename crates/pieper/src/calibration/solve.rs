@@ -1,17 +1,17 @@
 //! Estimating.
 
 use levenberg_marquardt::LevenbergMarquardt;
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use nalgebra::{DMatrix, Vector3};
 
 use super::identify::{Held, identify};
-use super::model::{Group, Model, Parameter};
-use super::problem::{Problem, Set};
+use super::model::{Model, Parameter};
+use super::place::{place_frames, place_sets, sets_of};
+use super::problem::Problem;
 use super::robust::{OUTLIER, reweigh};
 use super::validate::{HeldOut, hold_out};
 use crate::describe::{Measurement, Robot, Seen};
 
 use crate::error::{Error, Result as Checked};
-use crate::spatial::{Pose, to_rpy};
 
 /// A parameter as estimated.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +141,7 @@ impl Calibration {
             values,
             free: Vec::new(),
         };
-        place_base(&mut problem);
+        place_frames(&mut problem);
         place_sets(&mut problem);
         Ok(Self {
             problem,
@@ -360,149 +360,6 @@ pub(super) fn residuals(problem: &Problem) -> Vec<Residual> {
         }
     };
     problem.measurements.iter().enumerate().map(of).collect()
-}
-
-/// Anchors, planes and contacts, each once, and which one a measurement is of.
-fn sets_of(measurements: &[Measurement]) -> (Vec<Set>, Vec<Option<usize>>) {
-    let mut sets: Vec<Set> = Vec::new();
-    let mut of = Vec::with_capacity(measurements.len());
-    for measurement in measurements {
-        of.push(measurement.seen.set().map(|(kind, name, _)| {
-            let known = sets
-                .iter()
-                .position(|set| set.kind == kind && set.name == name);
-            known.unwrap_or_else(|| {
-                sets.push(Set {
-                    kind,
-                    name: name.to_owned(),
-                    normal: Vector3::z(),
-                });
-                sets.len() - 1
-            })
-        }));
-    }
-    (sets, of)
-}
-
-/// The points of the tool as the model has them, of the measurements that are of a set.
-fn points(problem: &Problem, wanted: impl Fn(usize) -> bool) -> Vec<(usize, Vector3<f64>)> {
-    let own = problem.model.parameters().len();
-    let indices = (0..problem.measurements.len()).filter(|&index| wanted(index));
-    indices
-        .map(|index| {
-            let measurement = &problem.measurements[index];
-            let sensed = problem
-                .model
-                .sense(&problem.values[..own], &measurement.joints);
-            let at = sensed.tool.rotation * measurement.seen.at();
-            (index, sensed.tool.translation.vector + at)
-        })
-        .collect()
-}
-
-/// A first guess of anchors, planes and contacts from where the model has the tool.
-fn place_sets(problem: &mut Problem) {
-    let own = problem.model.parameters().len();
-    for set in 0..problem.sets.len() {
-        let points = points(problem, |index| problem.set_of[index] == Some(set));
-        let mean = points.iter().map(|(_, p)| p).sum::<Vector3<f64>>() / points.len() as f64;
-        let numbers = match problem.sets[set].kind {
-            "plane" => {
-                let spread: Matrix3<f64> = points
-                    .iter()
-                    .map(|(_, p)| (p - mean) * (p - mean).transpose())
-                    .sum();
-                let eigen = spread.symmetric_eigen();
-                let normal: Vector3<f64> =
-                    eigen.eigenvectors.column(eigen.eigenvalues.imin()).into();
-                problem.sets[set].normal = normal;
-                [normal.dot(&mean), 0.0, 0.0]
-            }
-            "anchor" => anchor(problem, &points).unwrap_or(mean).into(),
-            _ => mean.into(),
-        };
-        for (k, number) in numbers.into_iter().enumerate() {
-            problem.values[own + 3 * set + k] = number;
-            problem.parameters[own + 3 * set + k].nominal = number;
-        }
-    }
-}
-
-/// The point at given distances from several others: linear in differences of squares.
-fn anchor(problem: &Problem, points: &[(usize, Vector3<f64>)]) -> Option<Vector3<f64>> {
-    let distance = |index: usize| match &problem.measurements[index].seen {
-        Seen::Distance { distance, .. } => *distance,
-        _ => 0.0,
-    };
-    let (first, rest) = points.split_first()?;
-    let mut left = DMatrix::zeros(rest.len(), 3);
-    let mut right = nalgebra::DVector::zeros(rest.len());
-    for (row, (index, point)) in rest.iter().enumerate() {
-        left.row_mut(row)
-            .copy_from(&(2.0 * (point - first.1)).transpose());
-        right[row] = point.norm_squared() - first.1.norm_squared() - distance(*index).powi(2)
-            + distance(first.0).powi(2);
-    }
-    let found = left.svd(true, true).solve(&right, 1e-9).ok()?;
-    let found = Vector3::new(found[0], found[1], found[2]);
-    found.iter().all(|x| x.is_finite()).then_some(found)
-}
-
-/// Points nearer than this to where the model has them need no first guess of the base, metres.
-const NEAR: f64 = 0.05;
-
-/// A first guess of the base where the measuring device stands elsewhere: the rigid motion that brings the points nearest.
-fn place_base(problem: &mut Problem) {
-    let own = problem.model.parameters();
-    let is_free = own.iter().filter(|p| p.group == Group::Base).count() == 6;
-    let seen = |index: usize| match &problem.measurements[index].seen {
-        Seen::Pose(pose) => Some(pose.translation.vector),
-        Seen::Position { point, .. } => Some(Vector3::from(*point)),
-        _ => None,
-    };
-    let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = points(problem, |index| seen(index).is_some())
-        .into_iter()
-        .filter_map(|(index, p)| Some((p, seen(index)?)))
-        .collect();
-    if !is_free || pairs.len() < 3 {
-        return;
-    }
-    let off = pairs.iter().map(|(a, b)| (a - b).norm()).sum::<f64>() / pairs.len() as f64;
-    if off < NEAR {
-        return;
-    }
-    let count = pairs.len() as f64;
-    let from = pairs.iter().map(|(a, _)| a).sum::<Vector3<f64>>() / count;
-    let to = pairs.iter().map(|(_, b)| b).sum::<Vector3<f64>>() / count;
-    let cross: Matrix3<f64> = pairs
-        .iter()
-        .map(|(a, b)| (b - to) * (a - from).transpose())
-        .sum();
-    let svd = cross.svd(true, true);
-    let (Some(u), Some(v)) = (svd.u, svd.v_t) else {
-        return;
-    };
-    let mut flip = Matrix3::identity();
-    flip[(2, 2)] = (u * v).determinant().signum();
-    let turn = nalgebra::Rotation3::from_matrix_unchecked(u * flip * v);
-    let motion = Pose::from_parts((to - turn * from).into(), turn);
-    let base = motion * problem.model.chain().base();
-    let [roll, pitch, yaw] = to_rpy(&base.rotation);
-    let p = base.translation.vector;
-    let numbers = [
-        ("x", p.x),
-        ("y", p.y),
-        ("z", p.z),
-        ("yaw", yaw),
-        ("pitch", pitch),
-        ("roll", roll),
-    ];
-    for (word, number) in numbers {
-        let name = format!("base.{word}");
-        if let Some(index) = own.iter().position(|p| p.name == name) {
-            problem.values[index] = number;
-        }
-    }
 }
 
 /// Lengths that fit a thousand times better in another unit.

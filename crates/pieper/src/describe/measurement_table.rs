@@ -20,6 +20,19 @@ pub struct Measurement {
     pub sigma_angle: f64,
 }
 
+impl Measurement {
+    /// The measurement of a camera on the tool that looks at a target which stands still: where the table tells the target in the
+    /// camera's frame, this tells the camera in the target's. The base is then the target's frame, and the tool the camera: `A X = X B`.
+    /// What is no whole pose stays as it is.
+    #[must_use]
+    pub fn of_eye_in_hand(mut self) -> Self {
+        if let Seen::Pose(pose) = &mut self.seen {
+            *pose = pose.inverse();
+        }
+        self
+    }
+}
+
 /// What was seen. Points of the tool are given in the tool's frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seen {

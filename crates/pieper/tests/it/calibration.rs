@@ -456,3 +456,62 @@ fn wrong_measurements_are_refused_in_words() {
     assert!(refused(short).contains("measurement 1"));
     assert_eq!(model.parameters()[0].group, Group::Base);
 }
+
+/// Hand-eye: a marker anywhere on the tool, seen from anywhere; and a camera on the tool that looks at a target.
+#[test]
+fn hand_and_eye() {
+    let groups = Groups {
+        base: true,
+        tool: true,
+        ..Groups::NONE
+    };
+    let mut random = Random::new(31);
+    for id in ["irb120", "ur5", "ar4-modified"] {
+        let model = model(id, groups);
+        for _ in 0..20 {
+            let mut frame = |reach: f64| {
+                let turn = nalgebra::Vector3::from_fn(|_, _| 3.0 * (random.even() - 0.5));
+                let way = nalgebra::Vector3::from_fn(|_, _| reach * (random.even() - 0.5));
+                pieper::spatial::Pose::new(way, turn)
+            };
+            let (device, mount) = (frame(4.0), frame(0.3));
+            let simulation = Simulation {
+                count: 12,
+                wrong_lengths: 0.0,
+                wrong_angles: 0.0,
+                sigma: 1e-9,
+                sigma_angle: 1e-9,
+                ..Simulation::default()
+            };
+            let (_, measurements) = simulate(&model, &simulation);
+            for eye_in_hand in [false, true] {
+                let seen = measurements.iter().map(|m| {
+                    let tool = tool_pose(model.chain(), &m.joints).unwrap();
+                    let there = device * tool * mount;
+                    let seen = Seen::Pose(if eye_in_hand { there.inverse() } else { there });
+                    let measurement = Measurement {
+                        joints: m.joints.clone(),
+                        seen,
+                        sigma: 1e-4,
+                        sigma_angle: 1e-4,
+                    };
+                    if eye_in_hand {
+                        measurement.of_eye_in_hand()
+                    } else {
+                        measurement
+                    }
+                });
+                let result = Calibration::new(model.clone(), seen.collect())
+                    .unwrap()
+                    .robust(false)
+                    .run()
+                    .unwrap();
+                let worst = result.after.iter().map(|r| r.length).fold(0.0, f64::max);
+                assert!(result.converged && worst < 1e-9, "{id}: {worst:e}");
+                let found = result.robot("a test".to_owned()).unwrap().chain().unwrap();
+                let off = found.tool().inverse() * (model.chain().tool() * mount);
+                assert!(off.translation.vector.norm() < 1e-8, "{id}: {off}");
+            }
+        }
+    }
+}

@@ -1,4 +1,4 @@
-/* Runs an ATmega328P's program in simavr in true time: its serial line on standard input and output; at the end the last pulse on
+/* Runs an ATmega328P's program in simavr in true time, or slower: its serial line on standard input and output; at the end the last pulse on
  * each of the six servo pins, in microseconds, on standard error. For tests; needs libsimavr.
  *
  *     cc -o simulate_avr simulate_avr.c -lsimavr -lelf && ./simulate_avr servos.elf */
@@ -91,8 +91,14 @@ int main(int argc, char **argv)
     ssize_t have = 0, given = 0;
     double begun = seconds();
     for (;;) {
-        /* As many cycles as time has passed, in steps of a fifth of a millisecond. */
+        /* As many cycles as time has passed, in steps of a fifth of a millisecond. Where this computer is too busy for that, the board's
+         * time goes slower, as if it had not been owed: a board that hurries after the time would hear of the past only. */
+        double owed = seconds() - begun - (double)avr->cycle / HERTZ;
+        if (owed > 0.005)
+            begun += owed - 0.005;
         while ((double)avr->cycle < (seconds() - begun) * HERTZ) {
+            if (seconds() - begun - (double)avr->cycle / HERTZ > 0.02)
+                break;
             uint64_t end = avr->cycle + HERTZ / 5000;
             while (avr->cycle < end) {
                 if (given < have && !is_full)

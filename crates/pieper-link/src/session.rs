@@ -223,7 +223,11 @@ impl Session {
     /// A refusal in words.
     pub fn arm(&self) -> Result<(), Refusal> {
         self.ask(Ask::Arm)?;
-        let status = self.wait(ANSWER, |status| status.phase != Phase::Arming);
+        // Whoever waits here is there.
+        let status = self.wait(ANSWER, |status| {
+            self.beat();
+            status.phase != Phase::Arming
+        });
         match status.phase {
             phase if phase.is_live() => Ok(()),
             _ => {

@@ -82,6 +82,19 @@ fn motion_with(kind: Kind, fault: Fault) -> (End, Status) {
     (end, status)
 }
 
+/// What a trial came to that the machine let run: where it kept the test itself from running for a quarter of a second, the guard
+/// has stopped the arm, as it should, and the trial is made again.
+fn undisturbed(trial: impl Fn() -> (End, Status)) -> (End, Status) {
+    let is_disturbed = |status: &Status| {
+        let said = status.sentence.as_deref().unwrap_or_default();
+        said.contains("has been silent for") || said.contains("was held up")
+    };
+    let again = (0..4)
+        .map(|_| trial())
+        .find(|(_, status)| !is_disturbed(status));
+    again.expect("the machine is too busy for tests in true time")
+}
+
 #[track_caller]
 fn expect(kind: Kind, faults: &[(Fault, End, &str)]) {
     let threads: Vec<_> = faults
@@ -89,7 +102,7 @@ fn expect(kind: Kind, faults: &[(Fault, End, &str)]) {
         .map(|&(fault, end, sentence)| {
             let sentence = sentence.to_owned();
             std::thread::spawn(move || {
-                let (ended, status) = motion_with(kind, fault);
+                let (ended, status) = undisturbed(|| motion_with(kind, fault));
                 match end {
                     End::Either => assert_ne!(ended, End::Lost, "{kind} {fault}: {status:?}"),
                     end => assert_eq!(ended, end, "{kind} {fault}: {status:?}"),

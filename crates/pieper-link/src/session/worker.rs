@@ -205,8 +205,16 @@ impl Worker {
                     self.due = now;
                 }
                 Event::Refused(text) | Event::Fault(text) => {
+                    let phase = self.guard.phase();
                     self.guard.stop(&text);
-                    self.say(text);
+                    // What comes after a stop does not say why it came to it.
+                    match phase.is_live()
+                        || phase == Phase::Arming
+                        || self.status.sentence.is_none()
+                    {
+                        true => self.say(text),
+                        false => self.note(|| text),
+                    }
                 }
                 Event::Noise(text) => self.drop_bytes(&text),
             }

@@ -116,11 +116,11 @@ impl PacketHost {
                 )));
             }
             ToHost::State(state) => self.state(now, &state, events),
-            // The next state says why we are not armed any more: that is worth more than that we are not.
+            // The states say why we are not armed any more: that is worth more than that we are not.
             ToHost::Refused {
                 code: Code::NotArmed,
                 ..
-            } if self.following == Following::Yes => {}
+            } if !matches!(self.following, Following::Asked(_)) => {}
             ToHost::Refused { code, axis, .. } => {
                 let motor = self.setup.motors.get(usize::from(axis));
                 let whose = motor.map_or(String::new(), |motor| format!(" (motor {})", motor.name));

@@ -28,6 +28,11 @@ pub trait Transport: Send {
     /// # Errors
     /// The cable is gone.
     fn write(&mut self, bytes: &[u8]) -> io::Result<()>;
+
+    /// The rate that a serial line is set to at this end, bits per second, where it has one.
+    fn rate(&self) -> Option<u32> {
+        None
+    }
 }
 
 /// Opens a cable to a controller.

@@ -398,3 +398,35 @@ fn two_programs_at_once() {
         status.phase == Phase::Holding && status.sent > sent + 3
     });
 }
+
+/// The line is set to another rate than the controller's: it connects to nothing, nothing moves, and the rate is among what is asked.
+#[cfg(unix)]
+#[test]
+fn the_wrong_rate_connects_to_nothing() {
+    use pieper_link::simulator::{Place, Served};
+    use pieper_link::transport::Address;
+    use pieper_link::{Options, Session};
+    for kind in [Kind::Ros, Kind::Servo, Kind::Packets, Kind::Ar3] {
+        let arm = common::arm_of(kind);
+        let served = Served::start(kind, &arm, &Place::Terminal).unwrap();
+        let before = served.motors();
+        let at = |baud| match served.address() {
+            Address::Serial { path, .. } => Address::Serial {
+                path: path.clone(),
+                baud: Some(baud),
+            },
+            other => panic!("{other}"),
+        };
+        let session = Session::connect(&at(9600), kind, arm.clone(), &Options::default()).unwrap();
+        let error = session
+            .wait_connected(Duration::from_millis(1200))
+            .unwrap_err();
+        assert!(error.contains("its rate"), "{error}");
+        assert!(session.arm().is_err());
+        drop(session);
+        assert_eq!(before, served.motors());
+        // At its own rate it is there.
+        let session = Session::connect(&at(115_200), kind, arm, &Options::default()).unwrap();
+        session.wait_connected(PATIENCE).unwrap();
+    }
+}

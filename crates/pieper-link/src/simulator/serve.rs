@@ -78,6 +78,7 @@ impl Served {
         let motors = Arc::new(Mutex::new(device.motors()));
         let off = Arc::new(AtomicBool::new(false));
         let server = Server {
+            kind,
             device,
             line,
             weather: Weather::default(),
@@ -139,6 +140,7 @@ enum Line {
 }
 
 struct Server {
+    kind: Kind,
     device: Box<dyn Device>,
     line: Line,
     weather: Weather,
@@ -167,9 +169,13 @@ impl Server {
             let wait = due.saturating_sub(start.elapsed());
             match self.line.read(&mut buffer, wait) {
                 Ok(0) => {}
-                Ok(count) => self
-                    .device
-                    .receive(start.elapsed(), &buffer[..count], &mut out),
+                Ok(count) => {
+                    if self.is_out_of_step() {
+                        garble(&mut buffer[..count]);
+                    }
+                    self.device
+                        .receive(start.elapsed(), &buffer[..count], &mut out);
+                }
                 // Whoever was there has gone; the next may come.
                 Err(_) => self.line.let_go(),
             }
@@ -182,11 +188,32 @@ impl Server {
             }
             self.weather.pass(&out, &mut passed);
             out.clear();
+            if self.is_out_of_step() {
+                garble(&mut passed);
+            }
             if !passed.is_empty() && self.line.write(&passed).is_err() {
                 self.line.let_go();
             }
             passed.clear();
         }
+    }
+}
+
+impl Server {
+    /// Whether the program has set its line to another rate than this controller's. USB has none: an AR4 does not care.
+    fn is_out_of_step(&self) -> bool {
+        let rate = match &self.line {
+            Line::Always(cable) => cable.rate(),
+            Line::Door(..) => None,
+        };
+        self.kind != Kind::Ar4 && rate.is_some_and(|rate| rate != self.kind.baud())
+    }
+}
+
+/// What bytes look like at the wrong rate: bits are sampled in the wrong places.
+fn garble(bytes: &mut [u8]) {
+    for (index, byte) in bytes.iter_mut().enumerate() {
+        *byte = byte.rotate_left(3) ^ (0x9C_u8.rotate_left(index as u32 % 8));
     }
 }
 

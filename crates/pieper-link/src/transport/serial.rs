@@ -102,6 +102,11 @@ impl Terminal {
 }
 
 impl Transport for Terminal {
+    // Both ends of a pseudo-terminal have one setting: what the program has set.
+    fn rate(&self) -> Option<u32> {
+        self.controller.baud_rate().ok()
+    }
+
     fn read(&mut self, buffer: &mut [u8], wait: Duration) -> io::Result<usize> {
         read(&mut self.controller, buffer, wait)
     }

@@ -1,4 +1,4 @@
-/* Runs an ATmega328P's program in simavr in true time, or slower: its serial line on standard input and output; at the end the last pulse on
+/* Runs an ATmega328P's program in simavr in true time, or slower: its serial line on standard input and output; at the end the median of the last pulses on
  * each of the six servo pins, in microseconds, on standard error. For tests; needs libsimavr.
  *
  *     cc -o simulate_avr simulate_avr.c -lsimavr -lelf && ./simulate_avr servos.elf */
@@ -20,7 +20,9 @@ static avr_t *avr;
 static uint8_t output[4096];
 static size_t count;
 static uint64_t rose[SERVOS];
-static unsigned pulse[SERVOS];
+#define LAST 9
+static unsigned pulse[SERVOS][LAST];
+static unsigned pulses[SERVOS];
 static int is_full;
 
 static void sent(struct avr_irq_t *irq, uint32_t value, void *unused)
@@ -49,7 +51,19 @@ static void pin_moved(struct avr_irq_t *irq, uint32_t value, void *index)
     if (value)
         rose[servo] = avr->cycle;
     else if (rose[servo])
-        pulse[servo] = (unsigned)((avr->cycle - rose[servo]) / (HERTZ / 1000000));
+        pulse[servo][pulses[servo]++ % LAST] = (unsigned)((avr->cycle - rose[servo]) / (HERTZ / 1000000));
+}
+
+/* Of the last pulses: single ones are a few microseconds off where an interrupt waits for another. */
+static unsigned median(unsigned *values)
+{
+    for (int k = 1; k < LAST; k++)
+        for (int j = k; j > 0 && values[j - 1] > values[j]; j--) {
+            unsigned swapped = values[j];
+            values[j] = values[j - 1];
+            values[j - 1] = swapped;
+        }
+    return values[LAST / 2];
 }
 
 static double seconds(void)
@@ -123,6 +137,6 @@ int main(int argc, char **argv)
         nanosleep(&pause, NULL);
     }
     for (size_t servo = 0; servo < SERVOS; servo++)
-        fprintf(stderr, "%u\n", pulse[servo]);
+        fprintf(stderr, "%u\n", median(pulse[servo]));
     return 0;
 }

@@ -86,9 +86,8 @@ impl Line {
             std::thread::spawn(move || {
                 let mut buffer = [0; 4096];
                 while let Ok(count @ 1..) = output.read(&mut buffer) {
-                    if down.write_all(&buffer[..count]).is_err() {
-                        return;
-                    }
+                    // Drained to the end: a program whose output nobody takes is killed before its last words.
+                    let _ = down.write_all(&buffer[..count]);
                 }
             });
             let mut up = socket;
@@ -336,7 +335,7 @@ fn a_session_with_it_on_an_avr() {
     assert_eq!(pulses.len(), 6, "{said}");
     for (pulse, motor) in pulses.iter().zip(motors) {
         let wanted = 544.0 + motor / std::f64::consts::PI * (2400.0 - 544.0);
-        // The pin is moved by interrupts, which wait for one another.
+        // The pin is moved by interrupts, which wait for one another: the median of nine pulses.
         assert!((pulse - wanted).abs() < 5.0, "{pulses:?} {motors:?}");
     }
 }

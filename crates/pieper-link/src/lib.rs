@@ -5,7 +5,7 @@
 //! - [`simulator`]: controllers that are not there, on real sockets and pseudo-terminals, with faults on demand.
 //! - [`transport`]: the cables.
 //! - [`matching`]: servos and joints, at their extreme positions.
-//! - [`Session`]: a thread that drives one arm.
+//! - [`Session`]: a thread that drives one arm, and records what it did, by default in the folder of [`records`].
 //!
 //! ```
 //! use std::sync::Arc;
@@ -45,6 +45,7 @@
 mod arm;
 pub mod matching;
 pub mod protocol;
+pub mod records;
 pub mod safety;
 mod session;
 pub mod simulator;

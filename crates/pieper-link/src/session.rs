@@ -252,7 +252,7 @@ impl Session {
     ///
     /// # Errors
     /// A refusal in words: it moves.
-    pub fn slow_down(&self, share: f64) -> Result<(), Refusal> {
+    pub fn set_share(&self, share: f64) -> Result<(), Refusal> {
         self.ask(|answer| Ask::Share(share, answer))
     }
 

@@ -111,12 +111,12 @@ impl Motion {
         id
     }
 
-    /// Joint values at a time.
     /// The motion as it is, between two keyframes or more.
     pub(crate) fn law(&self) -> Option<&Law> {
         self.law.as_ref()
     }
 
+    /// Joint values at a time.
     pub(crate) fn at(&self, t: f64) -> Option<Vec<f64>> {
         let mut state = State::default();
         self.law.as_ref()?.at(t, &mut state);

@@ -7,7 +7,6 @@ mod list;
 mod live;
 mod log;
 mod map;
-mod records;
 mod send;
 mod simulate;
 

@@ -3,7 +3,7 @@
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::process::{Child, Command, Stdio};
 
-use crate::support::{Ended, Temporary, pieper};
+use crate::support::{Ended, Temporary, pieper, state};
 
 /// A simulated controller that runs, and where.
 struct Simulated {
@@ -11,9 +11,15 @@ struct Simulated {
     address: String,
 }
 
+fn program() -> Command {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_pieper"));
+    program.env("XDG_STATE_HOME", state());
+    program
+}
+
 impl Simulated {
     fn start(kind: &str, more: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_pieper"))
+        let mut child = program()
             .args(["link", "simulate", kind, "--tcp", "0"])
             .args(more)
             .stdin(Stdio::piped())
@@ -201,7 +207,7 @@ fn a_pulled_plug_stops_with_a_sentence() {
     let folder = Temporary::new();
     let motion = folder.file("motion.csv", MOTION);
     let mut simulated = Simulated::start("packets", &["--robot", "ar4"]);
-    let child = Command::new(env!("CARGO_BIN_EXE_pieper"))
+    let child = program()
         .args(["link", "send", &motion, "--to", &simulated.address, "--arm"])
         .args(["--protocol", "packets", "--robot", "ar4"])
         .args(["--record", &folder.path("session.jsonl")])
@@ -227,7 +233,7 @@ fn servos_are_matched_at_their_ends() {
     let folder = Temporary::new();
     let simulated = Simulated::start("servo", &["--robot", "abb-paper"]);
     let file = folder.path("matched.toml");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_pieper"))
+    let mut child = program()
         .args([
             "link",
             "map",

@@ -17,6 +17,7 @@ pub(crate) fn pieper(arguments: &[&str]) -> Ended {
     let output = Command::new(env!("CARGO_BIN_EXE_pieper"))
         .args(arguments)
         .current_dir(root)
+        .env("XDG_STATE_HOME", state())
         .output()
         .expect("the program was built");
     Ended {
@@ -24,6 +25,11 @@ pub(crate) fn pieper(arguments: &[&str]) -> Ended {
         stdout: String::from_utf8(output.stdout).expect("UTF-8"),
         stderr: String::from_utf8(output.stderr).expect("UTF-8"),
     }
+}
+
+/// Where sessions of tests are recorded: not among the person's own.
+pub(crate) fn state() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("state")
 }
 
 /// A new folder that goes when the test is over.

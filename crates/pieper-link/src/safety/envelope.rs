@@ -101,12 +101,7 @@ impl Envelope {
                 return Err(Refusal(format!("{name} = {value}: no number")));
             }
             if let Some(limits) = variable.limits.filter(|limits| !limits.contains(value)) {
-                return Err(Refusal(format!(
-                    "{name} = {} is outside its limits, {} to {}",
-                    self.arm.shown(joint, value),
-                    self.arm.shown(joint, limits.lower()),
-                    self.arm.shown(joint, limits.upper())
-                )));
+                return Err(self.outside(joint, value, limits));
             }
         }
         for motor in 0..self.arm.dof() {
@@ -117,12 +112,12 @@ impl Envelope {
         Ok(())
     }
 
-    /// Whether the arm may go from `from` to `to` within `seconds`: as [`Envelope::allows`], and not faster than it may.
-    ///
-    /// A joint that is outside its limits, because it was moved there by hand, may come back.
+    /// Whether the joints may go from `from` to `to` within `seconds`: within their limits, and not faster than they may. A joint that is
+    /// outside its limits, because it was moved there by hand, may come back; the others keep theirs. The motors are looked at where
+    /// their values are computed.
     ///
     /// # Errors
-    /// A refusal that names the joint or the motor.
+    /// A refusal that names the joint.
     pub fn allows_step(&self, from: &[f64], to: &[f64], seconds: f64) -> Result<(), Refusal> {
         for (joint, variable) in self.arm.chain.variables().iter().enumerate() {
             let way = (to[joint] - from[joint]).abs();
@@ -136,26 +131,30 @@ impl Envelope {
                     self.arm.shown(joint, self.rates[joint])
                 )));
             }
-        }
-        let comes_back = |limits: Limits, from: f64, to: f64| {
+            let Some(limits) = variable.limits else {
+                continue;
+            };
             let beyond = |value: f64| {
                 (limits.lower() - value)
                     .max(value - limits.upper())
                     .max(0.0)
             };
-            beyond(from) > 0.0 && beyond(to) <= beyond(from)
-        };
-        let returning = (self.arm.chain.variables().iter().zip(from).zip(to)).any(
-            |((variable, &from), &to)| {
-                variable
-                    .limits
-                    .is_some_and(|limits| comes_back(limits, from, to))
-            },
-        );
-        match returning {
-            true => Ok(()),
-            false => self.allows(to),
+            let comes_back = beyond(from[joint]) > 0.0 && beyond(to[joint]) <= beyond(from[joint]);
+            if !limits.contains(to[joint]) && !comes_back {
+                return Err(self.outside(joint, to[joint], limits));
+            }
         }
+        Ok(())
+    }
+
+    fn outside(&self, joint: usize, value: f64, limits: Limits) -> Refusal {
+        Refusal(format!(
+            "{} = {} is outside its limits, {} to {}",
+            self.arm.joint_name(joint),
+            self.arm.shown(joint, value),
+            self.arm.shown(joint, limits.lower()),
+            self.arm.shown(joint, limits.upper())
+        ))
     }
 
     /// Whether a motion may be run as it is: every row allowed, rates and accelerations within theirs, the motors' too.
@@ -249,5 +248,30 @@ impl Envelope {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hand has put one joint outside its limits: it may come back, and lets no other joint out.
+    #[test]
+    fn a_joint_that_comes_back_lets_no_other_out() {
+        let robot = pieper_robots::find("ar4").unwrap().robot();
+        let envelope = Envelope::of(Arc::new(Arm::of(&robot).unwrap()), 1.0);
+        let step = |from: [f64; 2], to: [f64; 2]| {
+            let all = |[one, two]: [f64; 2]| [one, two, 0.0, 0.0, 0.0, 0.0].map(f64::to_radians);
+            envelope.allows_step(&all(from), &all(to), 0.1)
+        };
+        // J1 turns 170 degrees either way, J2 from -42 to 90.
+        assert!(step([172.0, 0.0], [171.0, 0.0]).is_ok());
+        assert!(step([171.0, 0.0], [172.0, 0.0]).is_err());
+        let refusal = step([172.0, 89.5], [171.0, 90.5]).unwrap_err().to_string();
+        assert!(
+            refusal.contains("J2 = 90.50° is outside its limits"),
+            "{refusal}"
+        );
+        assert!(step([0.0, 0.0], [f64::NAN, 0.0]).is_err());
     }
 }

@@ -246,7 +246,7 @@ impl Guard {
     ///
     /// # Errors
     /// A refusal: the arm is moving.
-    pub fn slow_down(&mut self, share: f64) -> Result<(), Refusal> {
+    pub fn set_share(&mut self, share: f64) -> Result<(), Refusal> {
         if matches!(self.phase, Phase::Moving | Phase::Playing) {
             return Err(Refusal(
                 "the arm is moving: its speed is changed at rest".to_owned(),

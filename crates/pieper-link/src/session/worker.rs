@@ -159,7 +159,7 @@ impl Worker {
                     let _ = answer.send(allowed);
                 }
                 Ask::Share(share, answer) => {
-                    let _ = answer.send(self.guard.slow_down(share));
+                    let _ = answer.send(self.guard.set_share(share));
                 }
                 Ask::Target(q, answer) => {
                     self.note(|| format!("asked to go to {q:?}"));

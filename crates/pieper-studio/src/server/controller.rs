@@ -11,9 +11,10 @@ use std::time::Duration;
 use axum::extract::ws::Message;
 use pieper_link::simulator::{Place, Served};
 use pieper_link::transport::{self, Address};
-use pieper_link::{Kind, Options, Phase, Session, Status};
+use pieper_link::{Kind, Options, Phase, Session, Status, records};
 use serde::Deserialize;
 use serde_json::{Value, json};
+use tokio::sync::Notify;
 
 use super::State;
 use crate::arm::Arm;
@@ -59,6 +60,8 @@ pub(super) struct Controller {
     inner: Mutex<Inner>,
     /// Grows with every connection asked for: one that was overtaken is dropped.
     asked: AtomicU64,
+    /// Something was asked, or has come of it.
+    changed: Notify,
 }
 
 #[derive(Default)]
@@ -135,7 +138,9 @@ pub(super) fn apply(state: &Arc<State>, message: &Value) -> Option<Result<Value,
     let mut message = message.clone();
     message["do"] = json!(short);
     let ask = serde_json::from_value::<Ask>(message).map_err(|error| error.to_string());
-    Some(ask.and_then(|ask| obey(state, ask)))
+    let result = ask.and_then(|ask| obey(state, ask));
+    state.controller.changed.notify_one();
+    Some(result)
 }
 
 fn obey(state: &Arc<State>, ask: Ask) -> Result<Value, String> {
@@ -213,6 +218,7 @@ fn connect(state: &Arc<State>, address: &str, kind: Kind) -> Result<(), String> 
                 controller.say(text);
             }
         }
+        controller.changed.notify_one();
     });
     Ok(())
 }
@@ -225,6 +231,7 @@ fn open(
 ) -> Result<(Session, Option<Served>), String> {
     let options = Options {
         share: SHARE,
+        record: Some(records::new(kind)),
         ..Options::default()
     };
     let (session, simulated) = match (place, kind) {
@@ -290,7 +297,7 @@ fn play(state: &Arc<State>) -> Result<(), String> {
     let session = state.controller.session()?;
     let law = state.hub.session().motion.law().cloned();
     let law = law.ok_or("there is no motion: two keyframes or a table make one")?;
-    session.slow_down(1.0).map_err(|refusal| refusal.0)?;
+    session.set_share(1.0).map_err(|refusal| refusal.0)?;
     state.controller.inner().is_full = true;
     session.play(law).map_err(|refusal| refusal.0)?;
     // The arm in the picture runs ahead of the real one by its lag, and no more.
@@ -361,7 +368,12 @@ pub(super) async fn run(state: Arc<State>) {
     let mut last = value(&state.controller);
     let mut sequence = 0;
     loop {
-        tokio::time::sleep(LOOK).await;
+        // Without a controller there is nothing to look at.
+        let is_off = state.controller.inner().link.is_none();
+        match is_off {
+            true => state.controller.changed.notified().await,
+            false => tokio::time::sleep(LOOK).await,
+        }
         settle(&state);
         sequence += 1;
         let messages = messages(&state.controller, &mut last, sequence);
@@ -397,6 +409,6 @@ fn settle(state: &Arc<State>) {
         && std::mem::take(&mut state.controller.inner().is_full)
     {
         // One that moves again already keeps its speed until it rests.
-        let _ = session.slow_down(SHARE);
+        let _ = session.set_share(SHARE);
     }
 }

@@ -6,9 +6,8 @@ use std::time::Duration;
 
 use clap::Args;
 use pieper_link::transport::Address;
-use pieper_link::{Arm, Kind, Options, Session};
+use pieper_link::{Arm, Kind, Options, Session, records};
 
-use super::records;
 use crate::error::Failure;
 use crate::output;
 use crate::source::Source;

@@ -5,11 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use pieper_link::{Entry, Record, Sample};
+use pieper_link::{Entry, Record, Sample, records};
 use pieper_plot::{Panel, Series, Theme, TimeChart, time_chart};
 use serde_json::{Value, json};
 
-use super::records;
 use crate::error::{Failure, Outcome};
 use crate::output;
 use crate::source::read_text;

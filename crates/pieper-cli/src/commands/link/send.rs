@@ -148,14 +148,14 @@ impl Arguments {
         let (session, arm) = (&connected.session, &connected.arm);
         let refused = |refusal: pieper_link::safety::Refusal| Failure::World(refusal.0);
         session.arm().map_err(refused)?;
-        session.slow_down(APPROACH).map_err(refused)?;
+        session.set_share(APPROACH).map_err(refused)?;
         session.set_target(&law.rows()[0]).map_err(refused)?;
         let there = live.until(session, arm, |status| status.phase != Phase::Moving)?;
         if there.phase != Phase::Holding {
             return Ok(there);
         }
         live.until(session, arm, live::settled())?;
-        session.slow_down(1.0).map_err(refused)?;
+        session.set_share(1.0).map_err(refused)?;
         session.play(law).map_err(refused)?;
         let status = live.until(session, arm, |status| status.phase != Phase::Playing)?;
         match status.phase {

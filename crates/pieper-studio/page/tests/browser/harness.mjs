@@ -1,10 +1,15 @@
 // Starts the real program and a real browser; runs cases one after the other on one studio each.
 
 import { spawn } from 'node:child_process';
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const PROGRAM = process.env.PIEPER ?? new URL('../../../../../target/debug/pieper', import.meta.url).pathname;
 const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
+/** Sessions with controllers are recorded here, not among the person's own. */
+export const STATE = mkdtempSync(join(tmpdir(), 'pieper-state-'));
 const ARGUMENTS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
   '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
@@ -12,7 +17,7 @@ export const launch = () => chromium.launch({ executablePath: CHROMIUM, headless
 
 /** A studio with an arm: its address, and a way to end it. */
 export async function studio(robot = 'ar3', more = []) {
-  const child = spawn(PROGRAM, ['studio', robot, '--no-open', ...more], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const child = spawn(PROGRAM, ['studio', robot, '--no-open', ...more], { stdio: ['ignore', 'pipe', 'inherit'], env: { ...process.env, XDG_STATE_HOME: STATE } });
   const url = await new Promise((resolve, reject) => {
     child.stdout.once('data', (data) => resolve(String(data).trim()));
     child.once('exit', (code) => reject(new Error(`the studio ended with ${code}`)));

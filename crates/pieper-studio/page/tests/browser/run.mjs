@@ -1,8 +1,8 @@
 // The studio in a real browser: node tests/browser/run.mjs [part of a name]
 
-import { readFile } from 'node:fs/promises';
+import { readFile, readdir } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { check, joint, main, open, ready, until } from './harness.mjs';
+import { STATE, check, joint, main, open, ready, until } from './harness.mjs';
 
 const AXE = fileURLToPath(new URL('../../node_modules/axe-core/axe.min.js', import.meta.url));
 
@@ -301,6 +301,10 @@ const cases = [
     check(await said('watching'), 'disarmed');
     await page.getByRole('button', { name: 'Disconnect' }).click();
     await until(page, () => document.querySelector('.phase'), (phase) => phase === null, 'disconnected');
+    // What was asked, sent and measured is on record.
+    const [record] = (await readdir(`${STATE}/pieper/link`)).sort().slice(-1);
+    const lines = (await readFile(`${STATE}/pieper/link/${record}`, 'utf8')).trim().split('\n').map((line) => JSON.parse(line));
+    check(lines[0].pieper_link === 1 && lines.some((line) => line.note === 'stopped: stopped by hand') && lines.some((line) => line.commanded), 'the session was recorded');
   }],
   ['a motion runs on a real arm while its button is held', 'ar4', async (page) => {
     const phase = (wanted) => until(page, () => document.querySelector('.phase')?.textContent, (text) => text === wanted, `phase ${wanted}`);

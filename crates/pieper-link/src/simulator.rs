@@ -5,6 +5,7 @@
 
 mod ar3;
 mod ar4;
+mod board;
 mod egm;
 mod fault;
 mod packets;

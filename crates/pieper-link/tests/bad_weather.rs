@@ -30,11 +30,7 @@ fn motion_with(kind: Kind, fault: Fault) -> (End, Status) {
     let rig = Rig::new(kind);
     rig.session.arm().unwrap();
     let start = rig.measured();
-    let there: Vec<f64> = start
-        .iter()
-        .zip(rig.signs())
-        .map(|(q, s)| q + 0.3 * s)
-        .collect();
+    let there = rig.towards(&start, 0.3);
     let law = Law::new(
         vec![0.0, 1.5, 3.0],
         vec![start.clone(), there, start.clone()],
@@ -225,11 +221,7 @@ fn a_silent_driver_stops_the_arm() {
     let rig = Rig::new(Kind::Packets);
     rig.session.arm().unwrap();
     let start = rig.measured();
-    let there: Vec<f64> = start
-        .iter()
-        .zip(rig.signs())
-        .map(|(q, s)| q + 0.5 * s)
-        .collect();
+    let there = rig.towards(&start, 0.5);
     rig.session.set_target(&there).unwrap();
     let begun = Instant::now();
     let status = rig.session.wait(PATIENCE, |status| !status.phase.is_live());
@@ -256,11 +248,7 @@ fn stop_stops() {
         let rig = Rig::with(kind, |options| options.share = 0.1);
         rig.session.arm().unwrap();
         let start = rig.measured();
-        let there: Vec<f64> = start
-            .iter()
-            .zip(rig.signs())
-            .map(|(q, s)| q + 0.5 * s)
-            .collect();
+        let there = rig.towards(&start, 0.5);
         rig.session.set_target(&there).unwrap();
         let begun = Instant::now();
         rig.drive(PATIENCE, |_| begun.elapsed() > Duration::from_millis(250));

@@ -19,20 +19,12 @@ fn follows(kind: Kind, tolerance: f64) {
         "a connection shows only"
     );
     session.arm().unwrap();
-    let there: Vec<f64> = start
-        .iter()
-        .zip(rig.signs())
-        .map(|(q, s)| q + 0.12 * s)
-        .collect();
+    let there = rig.towards(&start, 0.12);
     session.set_target(&there).unwrap();
     rig.drive(PATIENCE, |status| {
         status.phase == Phase::Holding && near(status.measured.as_deref(), &there, tolerance)
     });
-    let back: Vec<f64> = there
-        .iter()
-        .zip(rig.signs())
-        .map(|(q, s)| q - 0.06 * s)
-        .collect();
+    let back = rig.towards(&there, -0.06);
     let law = Law::new(
         vec![0.0, 0.9, 1.8],
         vec![there.clone(), back.clone(), there.clone()],

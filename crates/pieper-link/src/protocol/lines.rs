@@ -4,19 +4,10 @@
 const LONGEST: usize = 512;
 
 /// Cuts a stream into lines, at `\r` and `\n`. What is too long to be a line is dropped, up to its end.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Lines {
     line: Vec<u8>,
     is_overlong: bool,
-}
-
-impl Default for Lines {
-    fn default() -> Self {
-        Self {
-            line: Vec::with_capacity(LONGEST),
-            is_overlong: false,
-        }
-    }
 }
 
 impl Lines {
@@ -42,6 +33,15 @@ impl Lines {
                 _ => self.line.push(byte),
             }
         }
+    }
+
+    /// As [`Lines::push`], for whoever waits for replies: empty lines are left out, and what is no text comes as a sentence.
+    pub(crate) fn texts(&mut self, bytes: &[u8], mut take: impl FnMut(Result<&str, String>)) {
+        self.push(bytes, |line| match line {
+            Ok("") => {}
+            Ok(line) => take(Ok(line)),
+            Err(length) => take(Err(format!("{length} bytes that are no text"))),
+        });
     }
 
     /// The line that has begun and not ended.

@@ -140,10 +140,9 @@ impl Host for ServoHost {
 
     fn receive(&mut self, now: Duration, bytes: &[u8], events: &mut Vec<Event>) {
         let mut lines = std::mem::take(&mut self.lines);
-        lines.push(bytes, |line| match line {
-            Ok("") => {}
+        lines.texts(bytes, |line| match line {
             Ok(line) => self.hear(now, line, events),
-            Err(length) => events.push(Event::Noise(format!("{length} bytes that are no text"))),
+            Err(noise) => events.push(Event::Noise(noise)),
         });
         self.lines = lines;
     }

@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use super::Device;
+use super::board::{Board, TICK, say};
 use super::fault::Fault;
 use super::plant::{Plant, SimMotor};
-use crate::protocol::Lines;
 use crate::protocol::ar3::{Ask, FULL, JOINTS, Reply, angle, steps};
 
 /// Steps by which encoder and count may differ: the multiplier by ten, 25 for J5.
@@ -21,11 +21,10 @@ struct UnderWay {
 
 pub(super) struct Ar3Device {
     plant: Plant,
-    lines: Lines,
+    board: Board,
     /// Steps made, as the firmware counts them.
     counts: [i32; JOINTS],
     move_now: Option<UnderWay>,
-    boots_until: Duration,
 }
 
 impl Ar3Device {
@@ -37,10 +36,9 @@ impl Ar3Device {
         }
         Self {
             plant,
-            lines: Lines::default(),
+            board: Board::default(),
             counts,
             move_now: None,
-            boots_until: Duration::ZERO,
         }
     }
 
@@ -60,38 +58,29 @@ impl Ar3Device {
         Reply::Agrees(is_complete.then_some(encoders))
     }
 
-    fn answer(reply: Reply, out: &mut Vec<u8>) {
-        out.extend_from_slice(reply.write().as_bytes());
-        out.extend_from_slice(b"\r\n");
+    fn answer(&mut self, now: Duration, line: &str) -> Option<String> {
+        match Ask::read(line)? {
+            Ask::Compare(expected) => Some(self.compare(expected, true).write()),
+            Ask::Move { by, speed, to } => {
+                let most = by.iter().map(|by| by.abs()).max().unwrap_or(0);
+                self.move_now = Some(UnderWay {
+                    from: self.counts,
+                    by,
+                    expected: to,
+                    since: now,
+                    seconds: f64::from(most) / (FULL * f64::from(speed) / 100.0),
+                });
+                None
+            }
+        }
     }
 }
 
 impl Device for Ar3Device {
     fn receive(&mut self, now: Duration, bytes: &[u8], out: &mut Vec<u8>) {
-        if now < self.boots_until {
-            return;
-        }
-        let mut asks = Vec::new();
-        self.lines
-            .push(bytes, |line| asks.extend(line.ok().and_then(Ask::read)));
-        for ask in asks {
-            match ask {
-                Ask::Compare(expected) => {
-                    let reply = self.compare(expected, true);
-                    Self::answer(reply, out);
-                }
-                Ask::Move { by, speed, to } => {
-                    let most = by.iter().map(|by| by.abs()).max().unwrap_or(0);
-                    self.move_now = Some(UnderWay {
-                        from: self.counts,
-                        by,
-                        expected: to,
-                        since: now,
-                        seconds: f64::from(most) / (FULL * f64::from(speed) / 100.0),
-                    });
-                }
-            }
-        }
+        let mut board = std::mem::take(&mut self.board);
+        board.receive(now, bytes, out, |line| self.answer(now, line));
+        self.board = board;
     }
 
     fn tick(&mut self, now: Duration, out: &mut Vec<u8>) {
@@ -112,25 +101,22 @@ impl Device for Ar3Device {
         if share >= 1.0 {
             self.move_now = None;
             let reply = self.compare(expected, false);
-            Self::answer(reply, out);
+            say(&reply.write(), out);
         }
     }
 
     fn period(&self) -> Duration {
-        Duration::from_millis(5)
+        TICK
     }
 
     fn inject(&mut self, now: Duration, fault: Fault) {
         match fault {
             Fault::Reset => {
                 self.move_now = None;
-                self.lines = Lines::default();
-                self.boots_until = now + Duration::from_millis(800);
+                self.board.reset(now);
             }
-            Fault::EmergencyStop => self.plant.emergency_stop(true),
-            Fault::LoseSteps => self.plant.lose_steps(0.05),
             // It has no clock on the wire.
-            _ => {}
+            other => self.plant.suffer(other, 0.05),
         }
     }
 

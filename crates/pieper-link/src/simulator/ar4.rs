@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use super::Device;
+use super::board::{Board, TICK, say};
 use super::fault::Fault;
 use super::plant::{Plant, SimMotor};
-use crate::protocol::Lines;
 use crate::protocol::ar4::{AXES, Command, JOINTS, Move, Position, Refusal, Reply};
 
 /// How much a joint's encoder may differ from its step count, radians: five steps of 1/44 degree.
@@ -22,19 +22,16 @@ struct UnderWay {
 
 pub(super) struct Ar4Device {
     plant: Plant,
-    lines: Lines,
+    board: Board,
     move_now: Option<UnderWay>,
-    /// Booting, until then.
-    boots_until: Duration,
 }
 
 impl Ar4Device {
     pub(super) fn new(motors: Vec<SimMotor>) -> Self {
         Self {
             plant: Plant::new(motors, 0.0),
-            lines: Lines::default(),
+            board: Board::default(),
             move_now: None,
-            boots_until: Duration::ZERO,
         }
     }
 
@@ -101,27 +98,18 @@ impl Ar4Device {
         None
     }
 
-    fn answer(reply: &Reply, out: &mut Vec<u8>) {
-        out.extend_from_slice(reply.write().as_bytes());
-        out.extend_from_slice(b"\r\n");
+    /// The firmware answers nothing to what it does not know, and so its host waits.
+    fn answer(&mut self, now: Duration, line: &str) -> Option<String> {
+        let command = Command::read(line)?;
+        self.obey(now, &command).map(|reply| reply.write())
     }
 }
 
 impl Device for Ar4Device {
     fn receive(&mut self, now: Duration, bytes: &[u8], out: &mut Vec<u8>) {
-        if now < self.boots_until {
-            return;
-        }
-        let mut commands = Vec::new();
-        self.lines.push(bytes, |line| {
-            // The firmware answers nothing to what it does not know, and so its host waits.
-            commands.extend(line.ok().and_then(Command::read));
-        });
-        for command in commands {
-            if let Some(reply) = self.obey(now, &command) {
-                Self::answer(&reply, out);
-            }
-        }
+        let mut board = std::mem::take(&mut self.board);
+        board.receive(now, bytes, out, |line| self.answer(now, line));
+        self.board = board;
     }
 
     fn tick(&mut self, now: Duration, out: &mut Vec<u8>) {
@@ -143,25 +131,22 @@ impl Device for Ar4Device {
         if share >= 1.0 || self.plant.is_stopped() {
             self.move_now = None;
             let reply = self.position(was_slower);
-            Self::answer(&reply, out);
+            say(&reply.write(), out);
         }
     }
 
     fn period(&self) -> Duration {
-        Duration::from_millis(5)
+        TICK
     }
 
     fn inject(&mut self, now: Duration, fault: Fault) {
         match fault {
             Fault::Reset => {
                 self.move_now = None;
-                self.lines = Lines::default();
-                self.boots_until = now + Duration::from_millis(800);
+                self.board.reset(now);
             }
-            Fault::EmergencyStop => self.plant.emergency_stop(true),
-            Fault::LoseSteps => self.plant.lose_steps(0.05),
             // It has no clock on the wire.
-            _ => {}
+            other => self.plant.suffer(other, 0.05),
         }
     }
 

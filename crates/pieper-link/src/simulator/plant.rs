@@ -1,5 +1,6 @@
 //! Motors that move: with a lag, a largest rate, ends, an emergency stop, and steps that get lost.
 
+use super::fault::Fault;
 use crate::arm::Arm;
 
 /// A simulated motor.
@@ -147,6 +148,15 @@ impl Plant {
         if let (Some(lost), Some(place)) = (self.lost.first_mut(), self.place.first_mut()) {
             *lost += much;
             *place -= much;
+        }
+    }
+
+    /// Suffers a fault that is the motors': the emergency stop, or this much lost.
+    pub(super) fn suffer(&mut self, fault: Fault, lost: f64) {
+        match fault {
+            Fault::EmergencyStop => self.emergency_stop(true),
+            Fault::LoseSteps => self.lose_steps(lost),
+            _ => {}
         }
     }
 

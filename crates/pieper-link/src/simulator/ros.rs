@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use super::Device;
+use super::board::{Board, TICK};
 use super::fault::Fault;
 use super::plant::{Plant, SimMotor};
-use crate::protocol::Lines;
 use crate::protocol::ros::{JOINTS, VERSION, read, write};
 
 /// The lag of its steppers, seconds.
@@ -13,20 +13,18 @@ const LAG: f64 = 0.02;
 
 pub(super) struct RosDevice {
     plant: Plant,
-    lines: Lines,
+    board: Board,
     is_greeted: bool,
     last: Duration,
-    boots_until: Duration,
 }
 
 impl RosDevice {
     pub(super) fn new(motors: Vec<SimMotor>) -> Self {
         Self {
             plant: Plant::new(motors, LAG),
-            lines: Lines::default(),
+            board: Board::default(),
             is_greeted: false,
             last: Duration::ZERO,
-            boots_until: Duration::ZERO,
         }
     }
 
@@ -71,18 +69,9 @@ impl RosDevice {
 
 impl Device for RosDevice {
     fn receive(&mut self, now: Duration, bytes: &[u8], out: &mut Vec<u8>) {
-        if now < self.boots_until {
-            return;
-        }
-        let mut lines = Vec::new();
-        self.lines
-            .push(bytes, |line| lines.extend(line.map(str::to_owned)));
-        for line in lines {
-            if let Some(answer) = self.answer(&line) {
-                out.extend_from_slice(answer.as_bytes());
-                out.extend_from_slice(b"\r\n");
-            }
-        }
+        let mut board = std::mem::take(&mut self.board);
+        board.receive(now, bytes, out, |line| self.answer(line));
+        self.board = board;
     }
 
     fn tick(&mut self, now: Duration, _: &mut Vec<u8>) {
@@ -92,7 +81,7 @@ impl Device for RosDevice {
     }
 
     fn period(&self) -> Duration {
-        Duration::from_millis(5)
+        TICK
     }
 
     fn inject(&mut self, now: Duration, fault: Fault) {
@@ -100,13 +89,10 @@ impl Device for RosDevice {
             Fault::Reset => {
                 self.plant.hold();
                 self.is_greeted = false;
-                self.lines = Lines::default();
-                self.boots_until = now + Duration::from_millis(800);
+                self.board.reset(now);
             }
-            Fault::EmergencyStop => self.plant.emergency_stop(true),
-            Fault::LoseSteps => self.plant.lose_steps(0.5),
             // It has no clock on the wire.
-            _ => {}
+            other => self.plant.suffer(other, 0.5),
         }
     }
 

@@ -3,19 +3,18 @@
 use std::time::Duration;
 
 use super::Device;
+use super::board::{Board, TICK};
 use super::fault::Fault;
 use super::plant::{Plant, SimMotor};
-use crate::protocol::Lines;
 
 /// The lag of a hobby servo, seconds.
 const LAG: f64 = 0.05;
 
 pub(super) struct ServoDevice {
     plant: Plant,
-    lines: Lines,
+    board: Board,
     sent: Vec<u8>,
     last: Duration,
-    boots_until: Duration,
 }
 
 impl ServoDevice {
@@ -25,9 +24,8 @@ impl ServoDevice {
         Self {
             sent: plant.place().iter().map(degrees).collect(),
             plant,
-            lines: Lines::default(),
+            board: Board::default(),
             last: Duration::ZERO,
-            boots_until: Duration::ZERO,
         }
     }
 
@@ -54,18 +52,9 @@ impl ServoDevice {
 
 impl Device for ServoDevice {
     fn receive(&mut self, now: Duration, bytes: &[u8], out: &mut Vec<u8>) {
-        if now < self.boots_until {
-            return;
-        }
-        let mut lines = Vec::new();
-        self.lines
-            .push(bytes, |line| lines.extend(line.map(str::to_owned)));
-        for line in lines {
-            if let Some(answer) = self.answer(&line) {
-                out.extend_from_slice(answer.as_bytes());
-                out.extend_from_slice(b"\r\n");
-            }
-        }
+        let mut board = std::mem::take(&mut self.board);
+        board.receive(now, bytes, out, |line| self.answer(line));
+        self.board = board;
     }
 
     fn tick(&mut self, now: Duration, _: &mut Vec<u8>) {
@@ -75,19 +64,16 @@ impl Device for ServoDevice {
     }
 
     fn period(&self) -> Duration {
-        Duration::from_millis(5)
+        TICK
     }
 
     fn inject(&mut self, now: Duration, fault: Fault) {
         match fault {
             Fault::Reset => {
-                self.lines = Lines::default();
-                self.boots_until = now + Duration::from_millis(800);
+                self.board.reset(now);
             }
-            Fault::EmergencyStop => self.plant.emergency_stop(true),
-            Fault::LoseSteps => self.plant.lose_steps(0.5),
             // It has no clock on the wire.
-            _ => {}
+            other => self.plant.suffer(other, 0.5),
         }
     }
 

@@ -79,8 +79,14 @@ impl Rig {
         self.session.status().measured.unwrap()
     }
 
+    /// This far from a place, every joint towards the inside of its range.
+    pub(crate) fn towards(&self, from: &[f64], by: f64) -> Vec<f64> {
+        let ways = from.iter().zip(self.signs());
+        ways.map(|(q, sign)| q + by * sign).collect()
+    }
+
     /// Towards the inside of every joint's range.
-    pub(crate) fn signs(&self) -> Vec<f64> {
+    fn signs(&self) -> Vec<f64> {
         let variables = self.arm.chain.variables().iter();
         let here = self.measured();
         variables

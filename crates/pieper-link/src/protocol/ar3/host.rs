@@ -115,8 +115,7 @@ impl Host for Ar3Host {
 
     fn receive(&mut self, now: Duration, bytes: &[u8], events: &mut Vec<Event>) {
         let mut lines = std::mem::take(&mut self.lines);
-        lines.push(bytes, |line| match line {
-            Ok("") => {}
+        lines.texts(bytes, |line| match line {
             Ok(line) => match (Reply::read(line), self.owed) {
                 (Some(reply), Some((_, was_move))) => {
                     self.owed = None;
@@ -131,7 +130,7 @@ impl Host for Ar3Host {
                 }
                 (None, _) => events.push(Event::Noise(format!("no reply of an AR3: {line:.60}"))),
             },
-            Err(length) => events.push(Event::Noise(format!("{length} bytes that are no text"))),
+            Err(noise) => events.push(Event::Noise(noise)),
         });
         self.lines = lines;
     }

@@ -128,8 +128,7 @@ impl Host for Ar4Host {
 
     fn receive(&mut self, now: Duration, bytes: &[u8], events: &mut Vec<Event>) {
         let mut lines = std::mem::take(&mut self.lines);
-        lines.push(bytes, |line| match line {
-            Ok("") => {}
+        lines.texts(bytes, |line| match line {
             Ok(line) => match Reply::read(line) {
                 Some(reply) => {
                     let owed = self.owed.take();
@@ -146,7 +145,7 @@ impl Host for Ar4Host {
                 }
                 None => events.push(Event::Noise(format!("no reply of an AR4: {line:.60}"))),
             },
-            Err(length) => events.push(Event::Noise(format!("{length} bytes that are no text"))),
+            Err(noise) => events.push(Event::Noise(noise)),
         });
         self.lines = lines;
     }

@@ -59,10 +59,9 @@ fn arm(id: &str, trials: u64) {
         }
     }
     println!(
-        "| {id} | {} | {:.1} | {:.1} % of {trials} | {:.0} times smaller (median; least {:.0}) | {:.2} times (median) |",
+        "| {id} | {} | {:.1} | {inside} of {trials} | {:.0} times smaller (median; least {:.0}) | {:.2} times (median) |",
         fitted.len(),
         middle(&mut times),
-        100.0 * f64::from(inside) / trials as f64,
         middle(&mut gains),
         gains.iter().copied().fold(f64::INFINITY, f64::min),
         middle(&mut ratios)

@@ -1,7 +1,6 @@
 //! Values as people type them: `0.5`, `"90deg"`, `"pi/2"`, `"250mm"`.
 
-use pieper::describe::Expr;
-use pieper::describe::expr::Values;
+use pieper::describe::expr;
 use serde::{Deserialize, Deserializer, de};
 use serde_json::Value;
 
@@ -15,29 +14,10 @@ impl Quantity {
     /// # Errors
     /// A sentence that quotes the text and says what was expected.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
-        let plain = text.trim().replace('°', " deg").replace(',', ".");
-        let read = Expr::parse(&spaced(&plain)).and_then(|expr| expr.evaluate(&Values::new()));
-        read.map(Self).map_err(|_| {
-            format!(
-                "\"{}\": a number was expected, as 0.5, 90deg, pi/2 or 250mm",
-                text.trim()
-            )
-        })
+        expr::typed(text)
+            .map(Self)
+            .map_err(|error| error.to_string())
     }
-}
-
-/// `90deg` as `90 deg`.
-fn spaced(text: &str) -> String {
-    let mut out = String::new();
-    let mut digit = false;
-    for c in text.chars() {
-        if digit && c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E') {
-            out.push(' ');
-        }
-        digit = c.is_ascii_digit() || c == '.';
-        out.push(c);
-    }
-    out
 }
 
 impl<'de> Deserialize<'de> for Quantity {

@@ -67,8 +67,8 @@ pub(super) fn identify(problem: &Problem) -> (Vec<usize>, Vec<Held>) {
     for (column, parameter) in problem.parameters.iter().enumerate() {
         rates.column_mut(column).scale_mut(parameter.spread);
     }
-    let (kept, rest) = pivot(problem, &rates, among);
-    let chosen = rates.select_columns(&kept);
+    let (mut kept, rest) = pivot(problem, &rates, among);
+    let chosen = rates.select_columns(&kept).svd(true, true);
     let mut held = Vec::new();
     for &index in &rest {
         let column: DVector<f64> = rates.column(index).into();
@@ -76,7 +76,7 @@ pub(super) fn identify(problem: &Problem) -> (Vec<usize>, Vec<Held>) {
         let with = match column.norm() > 0.0 && !kept.is_empty() {
             false => Vec::new(),
             true => {
-                let factors = chosen.clone().svd(true, true).solve(&column, 1e-12);
+                let factors = chosen.solve(&column, 1e-12);
                 let factors = factors.unwrap_or_else(|_| DVector::zeros(kept.len()));
                 let largest = factors.amax();
                 let named = kept.iter().zip(factors.iter());
@@ -94,7 +94,6 @@ pub(super) fn identify(problem: &Problem) -> (Vec<usize>, Vec<Held>) {
             with,
         });
     }
-    let mut kept = kept;
     kept.sort_unstable();
     (kept, held)
 }

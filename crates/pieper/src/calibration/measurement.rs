@@ -15,13 +15,13 @@ impl Seen {
         }
     }
 
-    /// The name of what else is estimated with it, and how many numbers that has.
-    pub(super) fn set(&self) -> Option<(&'static str, &str, usize)> {
+    /// The kind and the name of what else is estimated with it: three numbers.
+    pub(super) fn set(&self) -> Option<(&'static str, &str)> {
         match self {
             Self::Pose(_) | Self::Position { .. } => None,
-            Self::Distance { anchor, .. } => Some(("anchor", anchor, 3)),
-            Self::Plane { plane, .. } => Some(("plane", plane, 3)),
-            Self::Contact { contact, .. } => Some(("contact", contact, 3)),
+            Self::Distance { anchor, .. } => Some(("anchor", anchor)),
+            Self::Plane { plane, .. } => Some(("plane", plane)),
+            Self::Contact { contact, .. } => Some(("contact", contact)),
         }
     }
 

@@ -12,7 +12,7 @@ pub(super) fn sets_of(measurements: &[Measurement]) -> (Vec<Set>, Vec<Option<usi
     let mut sets: Vec<Set> = Vec::new();
     let mut of = Vec::with_capacity(measurements.len());
     for measurement in measurements {
-        of.push(measurement.seen.set().map(|(kind, name, _)| {
+        of.push(measurement.seen.set().map(|(kind, name)| {
             let known = sets
                 .iter()
                 .position(|set| set.kind == kind && set.name == name);

@@ -111,9 +111,9 @@ pub fn measure(
     random: &mut Random,
 ) -> Vec<Measurement> {
     (0..of.count)
-        .map(|_| {
+        .map(|number| {
             let joints = posture(model, random);
-            measured(model, truth, joints, of, random)
+            measured(model, truth, (number, joints), of, random)
         })
         .collect()
 }
@@ -143,7 +143,7 @@ const ANCHORS: [(&str, [f64; 3]); 2] = [("A", [0.9, 0.2, 0.1]), ("B", [0.1, -0.9
 fn measured(
     model: &Model,
     truth: &[f64],
-    joints: Vec<f64>,
+    (number, joints): (usize, Vec<f64>),
     of: &Simulation,
     random: &mut Random,
 ) -> Measurement {
@@ -157,7 +157,6 @@ fn measured(
     let mut noise = |sigma: f64| Vector3::from_fn(|_, _| sigma * random.normal());
     let shifted = noise(of.sigma) + noise(1.0).normalize() * gross;
     let turned = noise(of.sigma_angle);
-    let which = (joints[0].to_bits() >> 7) as usize;
     let seen = match of.kind {
         Kind::Poses => {
             let place = Translation3::from(tool.translation.vector + shifted);
@@ -167,7 +166,7 @@ fn measured(
         Kind::Position | Kind::Positions => {
             let at = match of.kind {
                 Kind::Position => POINTS[0],
-                _ => POINTS[which % POINTS.len()],
+                _ => POINTS[number % POINTS.len()],
             };
             let point = (tool * shift(Vector3::from(at))).translation.vector + shifted;
             Seen::Position {
@@ -176,7 +175,7 @@ fn measured(
             }
         }
         Kind::Distances => {
-            let (anchor, place) = ANCHORS[which % ANCHORS.len()];
+            let (anchor, place) = ANCHORS[number % ANCHORS.len()];
             let way = (tool.translation.vector - Vector3::from(place)).norm();
             Seen::Distance {
                 anchor: anchor.to_owned(),

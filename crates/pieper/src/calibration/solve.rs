@@ -11,7 +11,7 @@ use super::robust::{OUTLIER, reweigh};
 use super::validate::{HeldOut, hold_out};
 use crate::describe::{Measurement, Robot, Seen};
 
-use crate::error::{Error, Result as Checked};
+use crate::error::{Error, Result};
 
 /// A parameter as estimated.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,7 @@ pub struct Residual {
 
 /// A finished calibration.
 #[derive(Clone, Debug)]
-pub struct Result {
+pub struct Outcome {
     /// Whether the solver converged; if not, what is here is the best it found.
     pub converged: bool,
     /// Why it ended.
@@ -72,12 +72,12 @@ pub struct Result {
     model: Model,
 }
 
-impl Result {
+impl Outcome {
     /// The estimated arm, with a text that says where its numbers come from.
     ///
     /// # Errors
     /// A model error for an estimate that makes no arm.
-    pub fn robot(&self, source: String) -> Checked<Robot> {
+    pub fn robot(&self, source: String) -> Result<Robot> {
         let own = self.model.parameters().len();
         self.model.robot_with(&self.values[..own], source)
     }
@@ -102,7 +102,7 @@ impl Calibration {
     /// # Errors
     /// An input error: no measurements, no parameters, fewer numbers than parameters that can be told apart, measurements that do not fit
     /// the arm; with what to do. Where lengths are a thousand times too long or too short, that is said.
-    pub fn new(model: Model, measurements: Vec<Measurement>) -> Checked<Self> {
+    pub fn new(model: Model, measurements: Vec<Measurement>) -> Result<Self> {
         let fail = |text: &str| Err(Error::input("calibration", text));
         if model.parameters().is_empty() {
             return fail("parameters to estimate were expected");
@@ -160,7 +160,7 @@ impl Calibration {
     ///
     /// # Errors
     /// An input error where there are fewer numbers than parameters that can be told apart.
-    pub fn run(self) -> Checked<Result> {
+    pub fn run(self) -> Result<Outcome> {
         let before = residuals(&self.nominal());
         let is_robust = self.is_robust;
         let mut problem = self.problem;
@@ -237,7 +237,7 @@ impl Calibration {
         let correlation = DMatrix::from_fn(covariance.nrows(), covariance.ncols(), |i, j| {
             covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt()
         });
-        Ok(Result {
+        Ok(Outcome {
             converged: ending.is_ok(),
             ending: ending.unwrap_or_else(|text| text),
             estimates,
@@ -363,7 +363,7 @@ pub(super) fn residuals(problem: &Problem) -> Vec<Residual> {
 }
 
 /// Lengths that fit a thousand times better in another unit.
-fn check_units(model: &Model, measurements: &[Measurement]) -> Checked<()> {
+fn check_units(model: &Model, measurements: &[Measurement]) -> Result<()> {
     let mut ratios = Vec::new();
     let values = model.nominal();
     for measurement in measurements {

@@ -6,10 +6,12 @@ mod evaluate;
 mod linear;
 mod parse;
 mod print;
+mod typed;
 
 pub use evaluate::Values;
 pub use linear::Linear;
 pub(super) use linear::with_variable;
+pub use typed::typed;
 
 /// A formula over numbers, pi, symbols and the usual functions.
 ///

@@ -1,8 +1,7 @@
 //! `pieper link jog`
 
 use clap::Args;
-use pieper::describe::Expr;
-use pieper::describe::expr::Values;
+use pieper::describe::expr;
 use pieper_link::Phase;
 
 use super::line::Line;
@@ -96,15 +95,7 @@ impl Arguments {
     }
 
     fn by(&self) -> Result<f64, Failure> {
-        let value = spaced(&self.by);
-        Expr::parse(&value)
-            .and_then(|expr| expr.evaluate(&Values::new()))
-            .map_err(|_| {
-                Failure::input(format!(
-                    "BY = {}: 5deg, -0.1 (radians) or 10mm were expected",
-                    self.by
-                ))
-            })
+        expr::typed(&self.by).map_err(|error| Failure::input(format!("BY = {error}")))
     }
 
     fn joint_of(&self, arm: &pieper_link::Arm) -> Result<usize, Failure> {
@@ -122,10 +113,4 @@ impl Arguments {
             ))
         })
     }
-}
-
-/// `5deg` as `5 deg`.
-fn spaced(text: &str) -> String {
-    let end = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    format!("{end} {}", &text[end.len()..])
 }

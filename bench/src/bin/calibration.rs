@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use pieper::calibration::{Calibration, Groups, Measurement, Model, Outcome, Random, Simulation, measure, posture, simulate};
+use pieper::calibration::{Calibration, Groups, Measurement, Model, Outcome, Random, Simulation, Unit, measure, posture, simulate};
 use pieper::kinematics::tool_pose;
 use pieper::model::Chain;
 
@@ -25,7 +25,7 @@ fn arm(id: &str, trials: u64) {
     let model = Model::of(&robot, Groups::USUAL).expect("it has numbers");
     // 60 poses, 0.05 mm and 0.01 degrees of noise.
     let simulation = Simulation::default();
-    let (_, measurements) = simulate(&model, &simulation);
+    let (_, measurements) = simulate(&model, &simulation).expect("joint values");
     let fitted = run(&model, measurements).fitted;
     let (mut inside, mut gains, mut times, mut ratios) = (0, Vec::new(), Vec::new(), Vec::new());
     for seed in 1..=trials {
@@ -33,12 +33,12 @@ fn arm(id: &str, trials: u64) {
         // What cannot be told apart is as the description says: there is a truth to compare with.
         let truth: Vec<f64> = (model.parameters().iter().enumerate())
             .map(|(index, parameter)| {
-                let wrong = if parameter.is_angle { 5e-3 } else { 1e-3 };
+                let wrong = if parameter.unit == Unit::Angle { 5e-3 } else { 1e-3 };
                 let off = wrong * random.normal();
                 parameter.nominal + if fitted.contains(&index) { off } else { 0.0 }
             })
             .collect();
-        let measurements = measure(&model, &truth, &simulation, &mut random);
+        let measurements = measure(&model, &truth, &simulation, &mut random).expect("joint values");
         let start = Instant::now();
         let result = run(&model, measurements);
         times.push(start.elapsed().as_secs_f64() * 1e3);
@@ -53,7 +53,7 @@ fn arm(id: &str, trials: u64) {
         }
         if seed <= trials / 5 {
             let dirty = Simulation { outliers: 0.05, ..simulation };
-            let with = run(&model, measure(&model, &truth, &dirty, &mut random));
+            let with = run(&model, measure(&model, &truth, &dirty, &mut random).expect("joint values"));
             let real = model.chain_with(&truth).expect("it is an arm");
             ratios.push(error(&model, &with, &real) / error(&model, &result, &real));
         }

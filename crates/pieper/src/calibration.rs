@@ -5,7 +5,7 @@
 //! value, never silently spread over several parameters.
 //!
 //! ```
-//! use pieper::calibration::{Calibration, Groups, Measurement, Model, Seen};
+//! use pieper::calibration::{Calibration, Groups, Measurement, Model, Readings, Seen};
 //! use pieper::describe::Robot;
 //! let robot = |l2: &str| Robot::from_toml("two.toml", &format!(r#"
 //! name = "two links"
@@ -24,7 +24,8 @@
 //!     let q = vec![0.3 * f64::from(k), 1.0 - 0.4 * f64::from(k)];
 //!     let tool = pieper::kinematics::tool_pose(&real, &q)?;
 //!     let point = tool.translation.vector.into();
-//!     Ok(Measurement { joints: q, seen: Seen::Position { point, at: [0.0; 3] }, sigma: 1e-4, sigma_angle: 1e-3 })
+//!     let seen = Seen::Position { point, at: [0.0; 3] };
+//!     Ok(Measurement { readings: Readings::Joints(q), seen, sigma: 1e-4, sigma_angle: 1e-3 })
 //! };
 //! let measurements: Vec<_> = (0..10).map(seen).collect::<Result<_, pieper::Error>>()?;
 //! let result = Calibration::new(model, measurements)?.run()?;
@@ -33,22 +34,27 @@
 //! # Ok::<(), pieper::Error>(())
 //! ```
 
+mod columns;
 mod design;
+mod drives;
 mod identify;
 mod measurement;
 mod model;
+mod parameter;
 mod place;
 mod problem;
 mod rebuild;
 mod robust;
+mod sense;
 mod simulate;
 mod solve;
 mod validate;
 
-pub use crate::describe::{Measurement, Seen};
+pub use crate::describe::{Measurement, Readings, Seen};
 pub use design::design;
 pub use identify::{Held, Together};
-pub use model::{Group, Groups, Model, Parameter};
+pub use model::Model;
+pub use parameter::{Group, Groups, Parameter, Unit};
 pub use simulate::{Kind, Random, Simulation, measure, posture, simulate};
 pub use solve::{Calibration, Estimate, Outcome, Residual};
 pub use validate::HeldOut;

@@ -15,7 +15,7 @@ pub mod xacro;
 
 pub use dh::{Convention, DhTable};
 pub use expr::Expr;
-pub use measurement_table::{Measurement, Seen, measurements_from_csv};
+pub use measurement_table::{Measurement, Readings, Seen, measurements_from_csv};
 pub use motion_table::{MotionTable, MotionValues, ToolPoints};
 pub use robot::{Form, Golden, Robot};
 pub use screws::ScrewTable;

@@ -24,7 +24,7 @@ Examples:
   pieper calibrate irb120 --design 20 --out out/plan.csv
 
 MEASUREMENTS is a table of comma-separated values with a header: the joints as q1, q2, ... or by their names (radians and metres; \
-q1_deg for degrees), and what was seen there: x,y,z with qw,qx,qy,qz or roll,pitch,yaw (poses), x,y,z alone (positions), distance and \
+q1_deg for degrees), or the motors as m1, m2, ..., and what was seen there: x,y,z with qw,qx,qy,qz or roll,pitch,yaw (poses), x,y,z alone (positions), distance and \
 anchor (a ball bar or a wire, with a name), plane or contact (a name). px,py,pz is the point of the tool that was looked at; sigma and \
 sigma_angle are standard deviations (x_mm, sigma_mm in millimetres). Kinds may be mixed: cells of the others stay empty.
 
@@ -45,7 +45,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
 
-    /// What is estimated: theta, d, a, alpha, beta (between nearly parallel axes), gear, base, tool
+    /// What is estimated: theta, d, a, alpha, beta (between nearly parallel axes), gear, drive (motors' ratios, couplings, four-bars), base, tool
     #[arg(
         long,
         value_name = "GROUPS",
@@ -72,6 +72,10 @@ pub(crate) struct Arguments {
     /// With --simulate or --design: what is measured
     #[arg(long, value_name = "KIND", default_value = "poses")]
     kind: Measured,
+
+    /// With --simulate or --design: motor values in the place of joint values
+    #[arg(long)]
+    motors: bool,
 
     /// With --simulate: how many measurements
     #[arg(long, value_name = "N", default_value_t = 60)]
@@ -128,7 +132,12 @@ impl Arguments {
             return Err(Failure::input("MEASUREMENTS was expected"));
         };
         let name = file.display().to_string();
-        let measurements = measurements_from_csv(&name, &read_text(file)?, model.chain())?;
+        let measurements = measurements_from_csv(
+            &name,
+            &read_text(file)?,
+            model.chain(),
+            &robot.transmission()?,
+        )?;
         let measurements: Vec<_> = match self.eye_in_hand {
             true => measurements
                 .into_iter()
@@ -172,6 +181,7 @@ impl Arguments {
         Simulation {
             count,
             kind: self.kind.into(),
+            of_motors: self.motors,
             outliers: self.outliers,
             seed: self.seed,
             ..Simulation::default()
@@ -185,8 +195,8 @@ impl Arguments {
                 "--count from 1 to 100000 and --outliers from 0 to 1 were expected",
             ));
         }
-        let (truth, measurements) = simulate(model, &self.simulation(self.count));
-        self.write(&self.out, &table::csv(model, &measurements, Some(&truth)))?;
+        let (truth, measurements) = simulate(model, &self.simulation(self.count))?;
+        self.write(&self.out, &table::csv(model, &measurements, &truth)?)?;
         if self.json {
             let parameters = model.parameters().iter().zip(&truth);
             let truth: serde_json::Map<_, _> = parameters
@@ -211,7 +221,7 @@ impl Arguments {
             return Err(Failure::input("--design: from 1 to 500 were expected"));
         }
         let plan = plan::of(model, &self.simulation(plan::CANDIDATES), budget)?;
-        self.write(&self.out, &plan.csv(model))?;
+        self.write(&self.out, &plan.csv(model)?)?;
         match self.json {
             true => output::document(&plan.document(&self.out))?,
             false => output::answer(&plan.text(&self.out))?,

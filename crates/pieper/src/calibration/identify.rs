@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::model::Group;
+use super::parameter::Group;
 use super::problem::Problem;
 
 /// A parameter that is held at its nominal value, because the measurements show it only together with others.
@@ -47,10 +47,11 @@ const FAINT: f64 = 1.0;
 const NAMED: f64 = 1e-4;
 
 /// Frames are held before the arm's own parameters: what shows in both is the arm's.
-const LATER: [(Group, f64); 3] = [
+const LATER: [(Group, f64); 4] = [
     (Group::Base, 1e-3),
     (Group::Tool, 1e-3),
     (Group::Gear, 1e-2),
+    (Group::Drive, 1e-2),
 ];
 
 /// Splits the parameters that are fitted, or all where none is yet, into those that can be told apart, and the others with what they show together with.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use super::model::Sensed;
+use super::sense::Sensed;
 use crate::describe::{Measurement, Seen};
 
 impl Seen {

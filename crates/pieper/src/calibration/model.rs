@@ -1,138 +1,16 @@
 //! An arm's table as elementary motions, each a turn or a shift about or along an axis of the frame it stands in.
 
-use nalgebra::{Rotation3, Translation3, Unit, Vector3};
-
+use super::drives::Drives;
+use super::parameter::{Group, Groups, Parameter, Unit};
 use crate::describe::dh::{Convention, DhTable, Moves};
-use crate::describe::{Form, Robot};
+use crate::describe::{Form, Readings, Robot};
 use crate::error::{Error, Result};
 use crate::model::Chain;
-use crate::spatial::{Pose, shift, to_rpy};
+use crate::spatial::{Pose, to_rpy};
 
 /// Neighbouring axes nearer to parallel than this get Hayati's turn about y: the common perpendicular of nearly parallel
 /// axes jumps, and with it d and theta.
 const NEARLY_PARALLEL: f64 = 0.1;
-
-/// What kind of number a parameter is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// Joint offsets.
-    Theta,
-    /// Shifts along the joint axes.
-    D,
-    /// Lengths of links.
-    A,
-    /// Twists of links.
-    Alpha,
-    /// Hayati's turn about y, between nearly parallel axes.
-    Beta,
-    /// Turns of the joint for one of its value.
-    Gear,
-    /// The arm's place in the measuring device's frame.
-    Base,
-    /// The tool in the last frame.
-    Tool,
-    /// Of the measurement: the place of an anchor, a plane, a contact.
-    Set,
-}
-
-/// Which groups are estimated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "as in Group")]
-pub struct Groups {
-    pub theta: bool,
-    pub d: bool,
-    pub a: bool,
-    pub alpha: bool,
-    pub beta: bool,
-    pub gear: bool,
-    pub base: bool,
-    pub tool: bool,
-}
-
-impl Groups {
-    /// None.
-    pub const NONE: Self = Self {
-        theta: false,
-        d: false,
-        a: false,
-        alpha: false,
-        beta: false,
-        gear: false,
-        base: false,
-        tool: false,
-    };
-
-    /// The table, the base and the tool; not the gears.
-    pub const USUAL: Self = Self {
-        theta: true,
-        d: true,
-        a: true,
-        alpha: true,
-        beta: true,
-        gear: false,
-        base: true,
-        tool: true,
-    };
-
-    /// By names separated by commas: theta, d, a, alpha, beta, gear, base, tool.
-    ///
-    /// # Errors
-    /// An input error that names the word and the choices.
-    pub fn parse(text: &str) -> Result<Self> {
-        let mut groups = Self::NONE;
-        for word in text
-            .split(',')
-            .map(str::trim)
-            .filter(|word| !word.is_empty())
-        {
-            let flag = match word {
-                "theta" => &mut groups.theta,
-                "d" => &mut groups.d,
-                "a" => &mut groups.a,
-                "alpha" => &mut groups.alpha,
-                "beta" => &mut groups.beta,
-                "gear" => &mut groups.gear,
-                "base" => &mut groups.base,
-                "tool" => &mut groups.tool,
-                _ => {
-                    let text = "theta, d, a, alpha, beta, gear, base or tool was expected";
-                    return Err(Error::input(format!("parameters: {word}"), text));
-                }
-            };
-            *flag = true;
-        }
-        Ok(groups)
-    }
-
-    fn has(self, group: Group) -> bool {
-        match group {
-            Group::Theta => self.theta,
-            Group::D => self.d,
-            Group::A => self.a,
-            Group::Alpha => self.alpha,
-            Group::Beta => self.beta,
-            Group::Gear => self.gear,
-            Group::Base => self.base,
-            Group::Tool => self.tool,
-            Group::Set => true,
-        }
-    }
-}
-
-/// A number that may be wrong.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
-    /// `theta1`, `d1`, `a1`, `alpha1`, `beta1`, `gear1`, `base.x`, `tool.roll`, ...
-    pub name: String,
-    /// Its kind.
-    pub group: Group,
-    /// Whether it is an angle (radians), rather than a length (metres) or a ratio.
-    pub is_angle: bool,
-    /// The description's value.
-    pub nominal: f64,
-    /// How far from it the true value may be: the scale in which parameters are compared.
-    pub spread: f64,
-}
 
 /// A turn about, or a shift along, an axis of the frame that the motions before it lead to.
 #[derive(Clone, Copy, Debug)]
@@ -154,14 +32,7 @@ pub struct Model {
     /// The first element of each row, base and tool between them: `elements[starts[k]..starts[k + 1]]`.
     pub(super) starts: Vec<usize>,
     pub(super) parameters: Vec<Parameter>,
-}
-
-/// Where the tool is, and how it moves with each parameter.
-#[derive(Clone, Debug)]
-pub(super) struct Sensed {
-    pub(super) tool: Pose,
-    /// For each parameter: the tool frame's angular and linear rate, base axes.
-    pub(super) rates: Vec<[Vector3<f64>; 2]>,
+    pub(super) drives: Drives,
 }
 
 /// Spreads: 10 mm and 3 degrees for what is in a table, 50 mm and 10 degrees for frames, 2 percent for gears.
@@ -173,7 +44,7 @@ impl Model {
     /// The model of a described arm, with these groups of parameters. An arm that is no table is taken by the table of its chain.
     ///
     /// # Errors
-    /// As [`Robot::chain`].
+    /// As [`Robot::chain`] and [`Robot::transmission`].
     pub fn of(robot: &Robot, groups: Groups) -> Result<Self> {
         let chain = robot.chain()?;
         let (table, values) = match &robot.form {
@@ -183,21 +54,28 @@ impl Model {
                 crate::describe::expr::Values::new(),
             ),
         };
+        let mut parameters = Vec::new();
+        let drives = Drives::of(robot, &chain, groups.drive, &mut parameters)?;
+        drives.with(
+            &chain,
+            &parameters.iter().map(|p| p.nominal).collect::<Vec<_>>(),
+        )?;
         let mut model = Self {
             robot: robot.clone(),
             chain,
             elements: Vec::new(),
             starts: vec![0],
-            parameters: Vec::new(),
+            parameters,
+            drives,
         };
         model.frame("base", &table.base.pose(&values)?, Group::Base, groups);
         for (index, row) in table.rows.iter().enumerate() {
             let number = index + 1;
             let of = |expr: &crate::describe::Expr| expr.evaluate(&values);
             let (theta, d, a, alpha) = (of(&row.theta)?, of(&row.d)?, of(&row.a)?, of(&row.alpha)?);
-            let gear = groups
-                .gear
-                .then(|| model.parameter(format!("gear{number}"), Group::Gear, false, 1.0, GEAR));
+            let gear = groups.gear.then(|| {
+                model.parameter(format!("gear{number}"), Group::Gear, Unit::Ratio, 1.0, GEAR)
+            });
             let drive = Some((index, row.sign, gear));
             let (turned, slid) = match row.moves {
                 Moves::Theta => (drive, None),
@@ -283,14 +161,14 @@ impl Model {
         &mut self,
         name: String,
         group: Group,
-        is_angle: bool,
+        unit: Unit,
         nominal: f64,
         spread: f64,
     ) -> usize {
         self.parameters.push(Parameter {
             name,
             group,
-            is_angle,
+            unit,
             nominal,
             spread,
         });
@@ -312,9 +190,13 @@ impl Model {
             Group::Base | Group::Tool => FRAMES,
             _ => SPREADS,
         };
+        let unit = match turns {
+            true => Unit::Angle,
+            false => Unit::Length,
+        };
         let parameter = groups
             .has(group)
-            .then(|| self.parameter(name, group, turns, value, spreads[usize::from(turns)]));
+            .then(|| self.parameter(name, group, unit, value, spreads[usize::from(turns)]));
         self.elements.push(Elementary {
             turns,
             axis,
@@ -353,56 +235,36 @@ impl Model {
         self.starts.push(self.elements.len());
     }
 
-    /// The pose of one element at joint values, with these values of the parameters.
-    fn displacement(&self, element: &Elementary, values: &[f64], q: &[f64]) -> f64 {
-        let own = element.parameter.map_or(element.value, |p| values[p]);
-        let driven = element.drive.map_or(0.0, |(joint, sign, gear)| {
-            sign * gear.map_or(1.0, |g| values[g]) * q[joint]
-        });
-        own + driven
-    }
-
-    /// Where the tool is with these values of the parameters, and how it moves with each.
+    /// The joint values that belong to what the arm's sensors told, with the description's own numbers.
     ///
-    /// `q` and `values` must be long enough.
-    pub(super) fn sense(&self, values: &[f64], q: &[f64]) -> Sensed {
-        let mut frame = Pose::identity();
-        // For each parameter: whether it turns, the axis times what a unit of it does, and a point on the axis.
-        let still = (false, Vector3::zeros(), Vector3::zeros());
-        let mut moves = vec![still; self.parameters.len()];
-        for element in &self.elements {
-            let axis = Vector3::ith(element.axis, 1.0);
-            let along = frame.rotation * axis;
-            let place = frame.translation.vector;
-            if let Some(parameter) = element.parameter {
-                moves[parameter] = (element.turns, along, place);
+    /// # Errors
+    /// An input error for as many values as there are not, for values that are not finite; for motor values that no joint values belong to.
+    pub fn joints(&self, readings: &Readings) -> Result<Vec<f64>> {
+        match readings {
+            Readings::Joints(q) => {
+                self.chain.check_joint_values(q)?;
+                Ok(q.clone())
             }
-            if let Some((joint, sign, Some(gear))) = element.drive {
-                moves[gear] = (element.turns, along * (sign * q[joint]), place);
+            Readings::Motors(motors) => {
+                let mut q = vec![0.0; self.chain.dof()];
+                let transmission = self.drives.with(&self.chain, &self.nominal())?;
+                match transmission.joints(motors, &mut q)? {
+                    Ok(()) => Ok(q),
+                    Err(answer) => Err(Error::input("motor values", answer.to_string())),
+                }
             }
-            let by = self.displacement(element, values, q);
-            frame *= match element.turns {
-                true => Pose::from_parts(
-                    Translation3::identity(),
-                    Rotation3::from_axis_angle(&Unit::new_unchecked(axis), by),
-                ),
-                false => shift(axis * by),
-            };
         }
-        let tool = frame.translation.vector;
-        let rate = |(turns, along, place): (bool, Vector3<f64>, Vector3<f64>)| match turns {
-            true => [along, along.cross(&(tool - place))],
-            false => [Vector3::zeros(), along],
-        };
-        let rates = moves.into_iter().map(rate).collect();
-        Sensed { tool: frame, rates }
     }
 
-    /// How the tool frame moves with each parameter: angular and linear rate in the base's axes, for a unit a second.
+    /// The motor values at joint values, with these values of the parameters. `None` where the drives cannot reach them.
     ///
-    /// As many values as parameters and as many joint values as joints are expected.
-    pub fn rates(&self, values: &[f64], q: &[f64]) -> Vec<[Vector3<f64>; 2]> {
-        self.sense(values, q).rates
+    /// # Errors
+    /// An input error unless there is one finite value for each joint; a model error for values that make no drives.
+    pub fn motors(&self, values: &[f64], q: &[f64]) -> Result<Option<Vec<f64>>> {
+        let transmission = self.drives.with(&self.chain, values)?;
+        let mut motors = vec![0.0; q.len()];
+        let reached = transmission.motors(q, &mut motors)?.is_ok();
+        Ok(reached.then_some(motors))
     }
 
     /// The nominal values of the parameters.

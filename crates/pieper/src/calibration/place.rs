@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 
-use super::model::Group;
+use super::parameter::Group;
 use super::problem::{Problem, Set};
 use crate::describe::{Measurement, Seen};
 use crate::spatial::{Pose, to_rpy};
@@ -31,16 +31,14 @@ pub(super) fn sets_of(measurements: &[Measurement]) -> (Vec<Set>, Vec<Option<usi
 
 /// The points of the tool as the model has them, of the measurements that are of a set.
 fn points(problem: &Problem, wanted: impl Fn(usize) -> bool) -> Vec<(usize, Vector3<f64>)> {
-    let own = problem.model.parameters().len();
+    let arm = problem.model.with(&problem.values);
     let indices = (0..problem.measurements.len()).filter(|&index| wanted(index));
     indices
-        .map(|index| {
+        .filter_map(|index| {
             let measurement = &problem.measurements[index];
-            let sensed = problem
-                .model
-                .sense(&problem.values[..own], &measurement.joints);
+            let sensed = arm.sense(&measurement.readings)?;
             let at = sensed.tool.rotation * measurement.seen.at();
-            (index, sensed.tool.translation.vector + at)
+            Some((index, sensed.tool.translation.vector + at))
         })
         .collect()
 }
@@ -112,17 +110,12 @@ pub(super) fn place_frames(problem: &mut Problem) {
     if !has(Group::Base) {
         return;
     }
-    let own = problem.model.parameters().len();
+    let arm = problem.model.with(&problem.values);
     let poses: Vec<(Pose, &Pose)> = problem
         .measurements
         .iter()
         .filter_map(|measurement| match &measurement.seen {
-            Seen::Pose(seen) => {
-                let sensed = problem
-                    .model
-                    .sense(&problem.values[..own], &measurement.joints);
-                Some((sensed.tool, seen))
-            }
+            Seen::Pose(seen) => Some((arm.sense(&measurement.readings)?.tool, seen)),
             _ => None,
         })
         .collect();
@@ -176,11 +169,12 @@ fn base_and_tool(problem: &Problem) -> Option<(Pose, Pose)> {
             *value = 0.0;
         }
     }
+    let arm = problem.model.with(&bare);
     let pairs: Vec<(Pose, Pose)> = problem
         .measurements
         .iter()
         .filter_map(|measurement| match &measurement.seen {
-            Seen::Pose(seen) => Some((problem.model.sense(&bare, &measurement.joints).tool, *seen)),
+            Seen::Pose(seen) => Some((arm.sense(&measurement.readings)?.tool, *seen)),
             _ => None,
         })
         .collect();

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use solver_nalgebra::storage::Owned;
 use solver_nalgebra::{DMatrix, DVector, Dyn};
 
-use super::model::{Group, Model, Parameter};
+use super::model::Model;
+use super::parameter::{Group, Parameter, Unit};
 use crate::describe::Measurement;
 
 /// An anchor, a plane or a contact that is estimated with the arm.
@@ -17,6 +18,9 @@ pub(super) struct Set {
     /// A plane's normal at the start.
     pub(super) normal: Vector3<f64>,
 }
+
+/// The residual of what the drives cannot reach with some values of their numbers, in standard deviations: a step there is taken back.
+const BEYOND: f64 = 1e6;
 
 /// What is fitted.
 #[derive(Clone, Debug)]
@@ -52,8 +56,12 @@ impl Problem {
         let count = starts[self.measurements.len()];
         let mut residuals = Vec::with_capacity(count);
         let mut rates = with_rates.then(|| nalgebra::DMatrix::zeros(count, self.parameters.len()));
+        let arm = self.model.with(&self.values);
         for (index, measurement) in self.measurements.iter().enumerate() {
-            let sensed = self.model.sense(&self.values[..own], &measurement.joints);
+            let Some(sensed) = arm.sense(&measurement.readings) else {
+                residuals.extend(std::iter::repeat_n(BEYOND, measurement.seen.count()));
+                continue;
+            };
             let set = self.set_of[index];
             let (numbers, normal) = match set {
                 Some(set) => {
@@ -99,7 +107,11 @@ impl Problem {
         std::array::from_fn(|k| Parameter {
             name: format!("{kind} {name}.{}", words[k]),
             group: Group::Set,
-            is_angle: is_angle[k],
+            unit: if is_angle[k] {
+                Unit::Angle
+            } else {
+                Unit::Length
+            },
             nominal: 0.0,
             spread: if is_angle[k] { 0.17 } else { 0.1 },
         })

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::model::{Elementary, Group, Model};
+use super::model::{Elementary, Model};
+use super::parameter::Group;
 use crate::describe::dh::{DhTable, FrameExpr};
 use crate::describe::expr::Expr;
 use crate::describe::screws::ScrewTable;
@@ -90,10 +91,9 @@ impl Model {
             summary: self.robot.summary.clone(),
             source,
             datasheet: self.robot.datasheet.clone(),
-            // Motors may be told by them.
             parameters: self.robot.parameters.clone(),
             form,
-            motors: self.robot.motors.clone(),
+            motors: self.drives.motors_with(values),
             golden: Vec::new(),
         })
     }

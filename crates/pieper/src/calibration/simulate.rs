@@ -3,7 +3,9 @@
 use nalgebra::{Translation3, Vector3};
 
 use super::model::Model;
-use crate::describe::{Measurement, Seen};
+use super::parameter::{Group, Unit};
+use crate::describe::{Measurement, Readings, Seen};
+use crate::error::{Error, Result};
 use crate::spatial::{Pose, shift};
 
 /// What is measured in a simulation.
@@ -64,6 +66,8 @@ pub struct Simulation {
     pub sigma: f64,
     /// And of measured angles, radians.
     pub sigma_angle: f64,
+    /// Whether what the arm tells are its motors' values, rather than its joints'.
+    pub of_motors: bool,
     /// The share of measurements that are grossly wrong, by 10 mm and more.
     pub outliers: f64,
     /// The seed.
@@ -79,6 +83,7 @@ impl Default for Simulation {
             wrong_angles: 5e-3,
             sigma: 5e-5,
             sigma_angle: 0.01_f64.to_radians(),
+            of_motors: false,
             outliers: 0.0,
             seed: 1,
         }
@@ -86,37 +91,68 @@ impl Default for Simulation {
 }
 
 /// The true values of the parameters, and the measurements.
-pub fn simulate(model: &Model, of: &Simulation) -> (Vec<f64>, Vec<Measurement>) {
+///
+/// # Errors
+/// As [`measure`].
+pub fn simulate(model: &Model, of: &Simulation) -> Result<(Vec<f64>, Vec<Measurement>)> {
     let mut random = Random::new(of.seed);
     let truth: Vec<f64> = model
         .parameters()
         .iter()
         .map(|parameter| {
-            let wrong = match parameter.is_angle {
-                true => of.wrong_angles,
-                false => of.wrong_lengths,
+            let wrong = match (parameter.group, parameter.unit) {
+                (_, Unit::Angle) => of.wrong_angles,
+                // A short length is made as exactly as a long one, in shares of it.
+                (Group::Drive, Unit::Length) => of.wrong_angles * parameter.nominal,
+                (_, Unit::Length | Unit::Ratio) => of.wrong_lengths,
             };
             parameter.nominal + wrong * random.normal()
         })
         .collect();
-    let measurements = measure(model, &truth, of, &mut random);
-    (truth, measurements)
+    let measurements = measure(model, &truth, of, &mut random)?;
+    Ok((truth, measurements))
 }
 
 /// Measurements of the arm with these values of the parameters, at random postures.
+///
+/// # Errors
+/// A model error where motor values are asked for, and the drives reach none of many postures.
 pub fn measure(
     model: &Model,
     truth: &[f64],
     of: &Simulation,
     random: &mut Random,
-) -> Vec<Measurement> {
+) -> Result<Vec<Measurement>> {
     (0..of.count)
         .map(|number| {
-            let joints = posture(model, random);
-            measured(model, truth, (number, joints), of, random)
+            let readings = readings(model, truth, of.of_motors, random)?;
+            Ok(measured(model, truth, (number, readings), of, random))
         })
         .collect()
 }
+
+/// What the arm tells at a random posture: of the postures that the true drives reach, where it tells its motors' values.
+fn readings(
+    model: &Model,
+    truth: &[f64],
+    of_motors: bool,
+    random: &mut Random,
+) -> Result<Readings> {
+    for _ in 0..TRIES {
+        let joints = posture(model, random);
+        if !of_motors {
+            return Ok(Readings::Joints(joints));
+        }
+        if let Some(motors) = model.motors(truth, &joints)? {
+            return Ok(Readings::Motors(motors));
+        }
+    }
+    let text = format!("the drives reach none of {TRIES} postures within the joints' limits");
+    Err(Error::model("calibration", text))
+}
+
+/// The most postures to try for one that the drives reach.
+const TRIES: usize = 1000;
 
 /// Joint values within the limits; within half a turn either way where there are none, and half a metre.
 pub fn posture(model: &Model, random: &mut Random) -> Vec<f64> {
@@ -143,11 +179,12 @@ const ANCHORS: [(&str, [f64; 3]); 2] = [("A", [0.9, 0.2, 0.1]), ("B", [0.1, -0.9
 fn measured(
     model: &Model,
     truth: &[f64],
-    (number, joints): (usize, Vec<f64>),
+    (number, readings): (usize, Readings),
     of: &Simulation,
     random: &mut Random,
 ) -> Measurement {
-    let tool = model.sense(truth, &joints).tool;
+    let sensed = model.with(truth).sense(&readings);
+    let tool = sensed.map_or_else(Pose::identity, |sensed| sensed.tool);
     let is_gross = random.even() < of.outliers;
     let gross = if is_gross {
         0.01 + 0.04 * random.even()
@@ -185,7 +222,7 @@ fn measured(
         }
     };
     Measurement {
-        joints,
+        readings,
         seen,
         sigma: of.sigma,
         sigma_angle: of.sigma_angle,

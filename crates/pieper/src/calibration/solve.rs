@@ -3,8 +3,10 @@
 use levenberg_marquardt::LevenbergMarquardt;
 use nalgebra::{DMatrix, Vector3};
 
+use super::columns::check_columns;
 use super::identify::{Held, identify};
-use super::model::{Model, Parameter};
+use super::model::Model;
+use super::parameter::{Parameter, Unit};
 use super::place::{place_frames, place_sets, sets_of};
 use super::problem::Problem;
 use super::robust::{OUTLIER, reweigh};
@@ -18,8 +20,8 @@ use crate::error::{Error, Result};
 pub struct Estimate {
     /// Its name.
     pub name: String,
-    /// Whether it is an angle.
-    pub is_angle: bool,
+    /// What it measures.
+    pub unit: Unit,
     /// The description's value.
     pub nominal: f64,
     /// The estimate.
@@ -113,8 +115,7 @@ impl Calibration {
         for (index, measurement) in measurements.iter().enumerate() {
             let subject = || format!("measurement {}", index + 1);
             model
-                .chain()
-                .check_joint_values(&measurement.joints)
+                .joints(&measurement.readings)
                 .map_err(|error| Error::input(subject(), error.to_string()))?;
             let is_positive = |sigma: f64| sigma > 0.0 && sigma.is_finite();
             if !is_positive(measurement.sigma) || !is_positive(measurement.sigma_angle) {
@@ -143,6 +144,7 @@ impl Calibration {
         };
         place_frames(&mut problem);
         place_sets(&mut problem);
+        check_columns(&problem)?;
         Ok(Self {
             problem,
             is_robust: true,
@@ -228,7 +230,7 @@ impl Calibration {
             .enumerate()
             .map(|(index, parameter)| Estimate {
                 name: parameter.name.clone(),
-                is_angle: parameter.is_angle,
+                unit: parameter.unit,
                 nominal: parameter.nominal,
                 value: problem.values[index],
                 sigma: sigma(index),
@@ -366,17 +368,17 @@ pub(super) fn residuals(problem: &Problem) -> Vec<Residual> {
 fn check_units(model: &Model, measurements: &[Measurement]) -> Result<()> {
     let mut ratios = Vec::new();
     let values = model.nominal();
+    let arm = model.with(&values);
     for measurement in measurements {
         let seen = match &measurement.seen {
             Seen::Pose(pose) => pose.translation.vector,
             Seen::Position { point, .. } => Vector3::from(*point),
             _ => continue,
         };
-        let there = model
-            .sense(&values, &measurement.joints)
-            .tool
-            .translation
-            .vector;
+        let Some(sensed) = arm.sense(&measurement.readings) else {
+            continue;
+        };
+        let there = sensed.tool.translation.vector;
         if there.norm() > 1e-3 && seen.norm() > 0.0 {
             ratios.push(seen.norm() / there.norm());
         }

@@ -6,18 +6,42 @@ use super::motion_table::cells::{Cell, Records};
 use crate::error::{Error, Place, Result};
 use crate::model::Chain;
 use crate::spatial::{self, Pose};
+use crate::transmission::Transmission;
 
-/// One measurement: joint values, and what was seen there.
+/// One measurement: where the arm stood by its own account, and what was seen there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
-    /// Joint values, radians and metres.
-    pub joints: Vec<f64>,
+    /// What the arm's own sensors told.
+    pub readings: Readings,
     /// What was seen.
     pub seen: Seen,
     /// The standard deviation of a length, metres.
     pub sigma: f64,
     /// The standard deviation of an angle, radians.
     pub sigma_angle: f64,
+}
+
+/// The values of an arm's sensors, radians and metres, in the order of its joints.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Readings {
+    /// Of the joints.
+    Joints(Vec<f64>),
+    /// Of the motors, before gears, couplings, linkages and servo windows.
+    Motors(Vec<f64>),
+}
+
+impl Readings {
+    /// The values.
+    pub fn values(&self) -> &[f64] {
+        let (Self::Joints(values) | Self::Motors(values)) = self;
+        values
+    }
+
+    /// The values, to change them.
+    pub fn values_mut(&mut self) -> &mut Vec<f64> {
+        let (Self::Joints(values) | Self::Motors(values)) = self;
+        values
+    }
 }
 
 impl Measurement {
@@ -122,14 +146,15 @@ struct Column {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Slot {
     Joint(usize),
+    Motor(usize),
     Named(&'static str),
     Ignored,
 }
 
-/// Reads a table of comma-separated values for `chain`; `file` is the name used in error messages.
+/// Reads a table of comma-separated values for `chain` and its motors; `file` is the name used in error messages.
 ///
 /// The header names the columns: the joints as `q1`..`qn` or by their own names (radians and metres; with `_deg` degrees, with `_mm`
-/// millimetres), and what was seen: `x,y,z` with `qw,qx,qy,qz` or `roll,pitch,yaw` for whole poses, `x,y,z` alone for positions,
+/// millimetres), or else the motors by theirs (`m1`..`mn` where a description gives none), and what was seen: `x,y,z` with `qw,qx,qy,qz` or `roll,pitch,yaw` for whole poses, `x,y,z` alone for positions,
 /// `distance` and `anchor` (its name), `plane` or `contact` (a name). `px,py,pz` is the point of the tool that was looked at, in the
 /// tool's frame, and its origin where it is left out. `sigma` and `sigma_angle` are standard deviations. Cells that do not belong to a
 /// row's kind are left empty, so that kinds may be mixed. Lines that start with `#` are skipped.
@@ -137,16 +162,21 @@ enum Slot {
 /// ```
 /// use pieper::describe::{Robot, measurements_from_csv};
 /// let arm = "name = 'r'\nconvention = 'standard'\n[[joint]]\ntheta = 'q1'\na = 0.5";
-/// let chain = Robot::from_toml("r.toml", arm)?.chain()?;
+/// let robot = Robot::from_toml("r.toml", arm)?;
 /// let table = "q1_deg,x_mm,y_mm,z_mm,sigma_mm\n90,0,501,0,0.05\n";
-/// let measurements = measurements_from_csv("m.csv", table, &chain)?;
+/// let measurements = measurements_from_csv("m.csv", table, &robot.chain()?, &robot.transmission()?)?;
 /// assert_eq!(measurements[0].sigma, 5e-5);
 /// # Ok::<(), pieper::Error>(())
 /// ```
 ///
 /// # Errors
 /// A parse error with file, line and column, the offending text and what was expected.
-pub fn measurements_from_csv(file: &str, text: &str, chain: &Chain) -> Result<Vec<Measurement>> {
+pub fn measurements_from_csv(
+    file: &str,
+    text: &str,
+    chain: &Chain,
+    transmission: &Transmission,
+) -> Result<Vec<Measurement>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut records = Records::new(file, text);
     let mut cells = Vec::new();
@@ -155,7 +185,7 @@ pub fn measurements_from_csv(file: &str, text: &str, chain: &Chain) -> Result<Ve
         let words = "a header was expected, such as q1_deg,q2_deg,x_mm,y_mm,z_mm,sigma_mm";
         return Err(Error::parse(place(0), "", words));
     }
-    let columns = header(&cells, chain, &place)?;
+    let (columns, of_motors) = header(&cells, chain, transmission, &place)?;
     let mut measurements = Vec::new();
     while records.read(&mut cells)? {
         let line = place(cells.first().map_or(0, |cell| cell.start));
@@ -180,7 +210,7 @@ pub fn measurements_from_csv(file: &str, text: &str, chain: &Chain) -> Result<Ve
             place: &place,
             line,
         };
-        measurements.push(row.measurement(chain.dof())?);
+        measurements.push(row.measurement(chain.dof(), of_motors)?);
     }
     if measurements.is_empty() {
         let words = "a row of values was expected below the header";
@@ -192,11 +222,12 @@ pub fn measurements_from_csv(file: &str, text: &str, chain: &Chain) -> Result<Ve
 fn header(
     cells: &[Cell<'_>],
     chain: &Chain,
+    transmission: &Transmission,
     place: &dyn Fn(usize) -> Place,
-) -> Result<Vec<Column>> {
+) -> Result<(Vec<Column>, bool)> {
     let mut columns: Vec<Column> = Vec::with_capacity(cells.len());
     for cell in cells {
-        let column = column(&cell.text, chain)
+        let column = column(&cell.text, chain, transmission)
             .map_err(|words| Error::parse(place(cell.start), cell.shown(), words))?;
         let is_double = column.place != Slot::Ignored
             && columns.iter().any(|other| other.place == column.place);
@@ -206,20 +237,35 @@ fn header(
         }
         columns.push(column);
     }
-    for joint in 0..chain.dof() {
-        if !columns
-            .iter()
-            .any(|column| column.place == Slot::Joint(joint))
-        {
-            let name = &chain.variables()[joint].name;
-            let words = format!("a column q{} or {name} was expected", joint + 1);
-            return Err(Error::parse(place(0), "", words));
-        }
+    let has = |slot: &Slot| columns.iter().any(|column| column.place == *slot);
+    let of_motors = columns
+        .iter()
+        .any(|column| matches!(column.place, Slot::Motor(_)));
+    for index in 0..chain.dof() {
+        let (name, motor) = (
+            &chain.variables()[index].name,
+            transmission.all()[index].name(),
+        );
+        let words = match of_motors {
+            true if has(&Slot::Joint(index)) => {
+                format!("joint {name}: a table of motor values was expected, without joints")
+            }
+            true if !has(&Slot::Motor(index)) => format!("a column {motor} was expected"),
+            false if !has(&Slot::Joint(index)) => {
+                format!("a column q{} or {name} was expected", index + 1)
+            }
+            _ => continue,
+        };
+        return Err(Error::parse(place(0), "", words));
     }
-    Ok(columns)
+    Ok((columns, of_motors))
 }
 
-fn column(name: &str, chain: &Chain) -> std::result::Result<Column, String> {
+fn column(
+    name: &str,
+    chain: &Chain,
+    transmission: &Transmission,
+) -> std::result::Result<Column, String> {
     let of = |place: Slot, factor: f64| {
         Ok(Column {
             name: name.to_owned(),
@@ -262,11 +308,22 @@ fn column(name: &str, chain: &Chain) -> std::result::Result<Column, String> {
         };
         return of(Slot::Joint(index), factor(own)?);
     }
+    let motor = transmission
+        .all()
+        .iter()
+        .position(|motor| motor.name() == stem);
+    if let Some(index) = motor {
+        let own = match transmission.motor_kind(index).is_angular() {
+            true => Quantity::Angle,
+            false => Quantity::Length,
+        };
+        return of(Slot::Motor(index), factor(own)?);
+    }
     match COLUMNS.iter().find(|(known, _)| *known == stem) {
         Some(("t" | "mark", _)) => of(Slot::Ignored, 1.0),
         Some((known, own)) => of(Slot::Named(known), factor(*own)?),
         None => Err(
-            "a joint (q1, q2, ... or its name), x, y, z, qw..qz, roll, pitch, yaw, distance, anchor, plane, contact, \
+            "a joint (q1, q2, ... or its name), a motor (m1, m2, ... or its name), x, y, z, qw..qz, roll, pitch, yaw, distance, anchor, plane, contact, \
              px, py, pz, sigma or sigma_angle was expected"
                 .to_owned(),
         ),
@@ -329,15 +386,23 @@ impl Row<'_> {
         Some(cell.text.clone().into_owned())
     }
 
-    fn measurement(&self, dof: usize) -> Result<Measurement> {
+    fn measurement(&self, dof: usize, of_motors: bool) -> Result<Measurement> {
         let fail = |words: &str| Err(Error::parse(self.line.clone(), "", words));
-        let mut joints = Vec::with_capacity(dof);
-        for joint in 0..dof {
-            match self.number(&Slot::Joint(joint))? {
-                Some(value) => joints.push(value),
-                None => return fail(&format!("a value of joint {} was expected", joint + 1)),
+        let (what, slot): (_, fn(usize) -> Slot) = match of_motors {
+            true => ("motor", Slot::Motor),
+            false => ("joint", Slot::Joint),
+        };
+        let mut values = Vec::with_capacity(dof);
+        for index in 0..dof {
+            match self.number(&slot(index))? {
+                Some(value) => values.push(value),
+                None => return fail(&format!("a value of {what} {} was expected", index + 1)),
             }
         }
+        let readings = match of_motors {
+            true => Readings::Motors(values),
+            false => Readings::Joints(values),
+        };
         let at = self.numbers(["px", "py", "pz"])?.unwrap_or([0.0; 3]);
         let position = self.numbers(["x", "y", "z"])?;
         let turn = self.turn()?;
@@ -385,7 +450,7 @@ impl Row<'_> {
             None => Ok(usual),
         };
         Ok(Measurement {
-            joints,
+            readings,
             seen,
             sigma: sigma("sigma", SIGMA)?,
             sigma_angle: sigma("sigma_angle", SIGMA_ANGLE)?,

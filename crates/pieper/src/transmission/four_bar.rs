@@ -172,6 +172,43 @@ impl FourBar {
         Some(-by_phi / by_theta)
     }
 
+    /// How the crank's angle psi grows with each length, crank, coupler, rocker and frame, while the rocker's angle phi stays; `None`
+    /// where the linkage cannot be assembled. Infinite at the rocker's dead points.
+    ///
+    /// From the closed loop, as [`FourBar::ratio`]: `|BC|^2 = coupler^2` by each length over the same by theta; less what it is at phi = 0,
+    /// where psi is 0 whatever the lengths are.
+    ///
+    /// ```
+    /// use pieper::transmission::{Assembly, FourBar, Lengths};
+    /// let parallelogram = Lengths { crank: 0.2, coupler: 0.5, rocker: 0.2, frame: 0.5 };
+    /// let rates = FourBar::new(parallelogram, Assembly::Open)?.rates(0.3).unwrap();
+    /// assert!((0.2 * rates[0] + 0.5 * rates[1] + 0.2 * rates[2] + 0.5 * rates[3]).abs() < 1e-12); // its size is no matter
+    /// # Ok::<(), pieper::Error>(())
+    /// ```
+    pub fn rates(&self, phi: f64) -> Option<[f64; 4]> {
+        let here = self.theta_rates(phi)?;
+        let zero = self.theta_rates(0.0).unwrap_or([0.0; 4]);
+        Some(std::array::from_fn(|k| zero[k] - here[k]))
+    }
+
+    /// How theta grows with each length.
+    fn theta_rates(&self, phi: f64) -> Option<[f64; 4]> {
+        let Lengths { crank, coupler, .. } = self.lengths;
+        let [_, b, c, _] = self.points(phi)?;
+        let (sin_phi, cos_phi) = phi.sin_cos();
+        let (bc_x, bc_y) = (c[0] - b[0], c[1] - b[1]);
+        let along_b = [b[0] / crank, b[1] / crank];
+        // Halves of the derivatives of |BC|^2 - coupler^2.
+        let by_theta = crank * (bc_x * along_b[1] - bc_y * along_b[0]);
+        let by = [
+            -(bc_x * along_b[0] + bc_y * along_b[1]),
+            -coupler,
+            bc_x * sin_phi + bc_y * cos_phi,
+            bc_x,
+        ];
+        Some(by.map(|by| -by / by_theta))
+    }
+
     /// The points A, B, C, D in the linkage's plane; `None` where it cannot be assembled.
     pub fn points(&self, phi: f64) -> Option<[[f64; 2]; 4]> {
         let (sin, cos) = self.theta(phi)?.sin_cos();

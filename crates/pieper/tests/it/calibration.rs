@@ -1,8 +1,8 @@
 //! Calibration against known truth.
 
 use pieper::calibration::{
-    Calibration, Group, Groups, Kind, Measurement, Model, Outcome, Random, Seen, Simulation,
-    design, posture, simulate,
+    Calibration, Group, Groups, Kind, Measurement, Model, Outcome, Random, Readings, Seen,
+    Simulation, design, posture, simulate,
 };
 use pieper::describe::Robot;
 use pieper::ik::Solver;
@@ -100,7 +100,7 @@ fn the_true_arm_is_found() {
                 sigma_angle: 1e-12,
                 ..Simulation::default()
             };
-            let (truth, mut measurements) = simulate(&model, &simulation);
+            let (truth, mut measurements) = simulate(&model, &simulation).unwrap();
             for measurement in &mut measurements {
                 // Told to be as they are used to be; they are better.
                 (measurement.sigma, measurement.sigma_angle) = (1e-4, 1e-4);
@@ -143,7 +143,7 @@ fn what_shows_only_together_is_said_so() {
             ..Groups::USUAL
         },
     );
-    let (_, measurements) = simulate(&model, &Simulation::default());
+    let (_, measurements) = simulate(&model, &Simulation::default()).unwrap();
     let result = Calibration::new(model, measurements)
         .unwrap()
         .run()
@@ -159,7 +159,7 @@ fn what_shows_only_together_is_said_so() {
     // With base and tool 30 numbers of a six-axis arm and its two frames show, no more.
     for id in ["irb120", "puma560", "ar4-modified"] {
         let model = self::model(id, Groups::USUAL);
-        let (_, measurements) = simulate(&model, &Simulation::default());
+        let (_, measurements) = simulate(&model, &Simulation::default()).unwrap();
         let result = Calibration::new(model, measurements)
             .unwrap()
             .run()
@@ -180,9 +180,10 @@ fn what_shows_only_together_is_said_so() {
             wrong_lengths: 0.0,
             ..Simulation::default()
         },
-    );
+    )
+    .unwrap();
     for measurement in &mut measurements {
-        measurement.joints[5] = 0.0;
+        measurement.readings.values_mut()[5] = 0.0;
     }
     let result = Calibration::new(model, measurements)
         .unwrap()
@@ -224,7 +225,7 @@ fn rates_agree_with_differences() {
             let turned = (turned - turned.transpose()) / (4.0 * h);
             let turn = nalgebra::Vector3::new(turned[(2, 1)], turned[(0, 2)], turned[(1, 0)]);
             // The library's own rates, seen through one measurement of a whole pose in units of one.
-            let rates = model.rates(&values, &q);
+            let rates = model.rates(&values, &Readings::Joints(q.clone())).unwrap();
             let [by_turn, by_shift] = rates[index];
             assert!((shift - by_shift).norm() < 1e-7, "{id} {}", parameter.name);
             assert!((turn - by_turn).norm() < 1e-7, "{id} {}", parameter.name);
@@ -276,7 +277,7 @@ fn planes_and_contacts() {
             },
         };
         measurements.push(Measurement {
-            joints: solution.q().to_vec(),
+            readings: Readings::Joints(solution.q().to_vec()),
             seen,
             sigma: 1e-5,
             sigma_angle: 1e-4,
@@ -322,7 +323,7 @@ fn outliers_are_named_and_do_little() {
         ..clean
     };
     let error = |simulation: &Simulation| {
-        let (truth, measurements) = simulate(&model, simulation);
+        let (truth, measurements) = simulate(&model, simulation).unwrap();
         let result = Calibration::new(model.clone(), measurements)
             .unwrap()
             .run()
@@ -360,7 +361,8 @@ fn the_inverse_of_the_calibrated_arm_hits() {
                 count: 80,
                 ..Simulation::default()
             },
-        );
+        )
+        .unwrap();
         let result = Calibration::new(model.clone(), measurements)
             .unwrap()
             .run()
@@ -404,7 +406,8 @@ fn chosen_postures_say_more() {
             count: 300,
             ..Simulation::default()
         },
-    );
+    )
+    .unwrap();
     let chosen = design(&model, &candidates, 20).unwrap();
     assert_eq!(chosen.len(), 20);
     let spread = |measurements: Vec<Measurement>| {
@@ -429,7 +432,7 @@ fn chosen_postures_say_more() {
 #[test]
 fn wrong_measurements_are_refused_in_words() {
     let model = model("irb120", Groups::USUAL);
-    let (_, measurements) = simulate(&model, &Simulation::default());
+    let (_, measurements) = simulate(&model, &Simulation::default()).unwrap();
     let refused = |measurements: Vec<Measurement>| {
         let made = Calibration::new(model.clone(), measurements).and_then(Calibration::run);
         made.err()
@@ -452,7 +455,7 @@ fn wrong_measurements_are_refused_in_words() {
         "the place is named"
     );
     let mut short = measurements;
-    short[0].joints.pop();
+    short[0].readings.values_mut().pop();
     assert!(refused(short).contains("measurement 1"));
     assert_eq!(model.parameters()[0].group, Group::Base);
 }
@@ -483,14 +486,14 @@ fn hand_and_eye() {
                 sigma_angle: 1e-9,
                 ..Simulation::default()
             };
-            let (_, measurements) = simulate(&model, &simulation);
+            let (_, measurements) = simulate(&model, &simulation).unwrap();
             for eye_in_hand in [false, true] {
                 let seen = measurements.iter().map(|m| {
-                    let tool = tool_pose(model.chain(), &m.joints).unwrap();
+                    let tool = tool_pose(model.chain(), m.readings.values()).unwrap();
                     let there = device * tool * mount;
                     let seen = Seen::Pose(if eye_in_hand { there.inverse() } else { there });
                     let measurement = Measurement {
-                        joints: m.joints.clone(),
+                        readings: m.readings.clone(),
                         seen,
                         sigma: 1e-4,
                         sigma_angle: 1e-4,
@@ -512,6 +515,169 @@ fn hand_and_eye() {
                 let off = found.tool().inverse() * (model.chain().tool() * mount);
                 assert!(off.translation.vector.norm() < 1e-8, "{id}: {off}");
             }
+        }
+    }
+}
+
+/// What drives the joints, by its own numbers: the groups that a test of motors is about.
+const DRIVES: Groups = Groups {
+    theta: true,
+    drive: true,
+    ..Groups::NONE
+};
+
+/// With motor values, the rates by the drives' numbers agree with differences: four-bar, couplings, servos.
+#[test]
+fn rates_by_drives_agree_with_differences() {
+    for id in ["abb-paper", "irb2400", "irb4400"] {
+        let model = model(id, DRIVES);
+        let mut random = Random::new(12);
+        let mut done = 0;
+        while done < 20 {
+            let nominal = model.nominal();
+            let values: Vec<f64> = nominal
+                .iter()
+                .map(|x| x * (1.0 + 0.01 * random.normal()) + 0.001 * random.normal())
+                .collect();
+            let Some(motors) = model
+                .motors(&values, &posture(&model, &mut random))
+                .unwrap()
+            else {
+                continue;
+            };
+            done += 1;
+            let readings = Readings::Motors(motors);
+            let rates = model.rates(&values, &readings).unwrap();
+            for (index, parameter) in model.parameters().iter().enumerate() {
+                let h = 1e-6 * parameter.spread;
+                // The tool by the arm as it is rebuilt, written and read again: no code is shared with the rates.
+                let at = |by: f64| {
+                    let mut values = values.clone();
+                    values[index] += by;
+                    let robot = model.robot_with(&values, String::new()).unwrap();
+                    let mut q = vec![0.0; model.chain().dof()];
+                    let transmission = robot.transmission().unwrap();
+                    transmission
+                        .joints(readings.values(), &mut q)
+                        .unwrap()
+                        .unwrap();
+                    tool_pose(&robot.chain().unwrap(), &q).unwrap()
+                };
+                let (more, less) = (at(h), at(-h));
+                let shift = (more.translation.vector - less.translation.vector) / (2.0 * h);
+                let [_, by_shift] = rates[index];
+                let off = (shift - by_shift).norm() * parameter.spread;
+                assert!(off < 1e-7, "{id} {}: {shift} {by_shift}", parameter.name);
+            }
+        }
+    }
+}
+
+/// From motor values the drives are found: the lengths of the four-bar, the couplings, the servos' ratios; what shows only together is held.
+#[test]
+fn the_true_drives_are_found() {
+    for id in ["abb-paper", "irb2400", "irb4400"] {
+        let model = model(id, DRIVES);
+        let simulation = Simulation {
+            count: 150,
+            of_motors: true,
+            wrong_lengths: 2e-3,
+            sigma: 1e-12,
+            sigma_angle: 1e-12,
+            ..Simulation::default()
+        };
+        let (truth, mut measurements) = simulate(&model, &simulation).unwrap();
+        for measurement in &mut measurements {
+            (measurement.sigma, measurement.sigma_angle) = (1e-5, 1e-5);
+        }
+        let result = Calibration::new(model.clone(), measurements)
+            .unwrap()
+            .run()
+            .unwrap();
+        assert!(result.converged, "{id}: {}", result.ending);
+        let worst = result.after.iter().map(|r| r.length).fold(0.0, f64::max);
+        assert!(worst < 1e-9, "{id}: {worst:e} {:?}", result.held);
+        // Postures that were not measured: the motors' values are those of the true drives.
+        let found = result.robot(String::new()).unwrap();
+        let found = Robot::from_toml("found.toml", &found.to_toml().unwrap()).unwrap();
+        let (drives, chain) = (found.transmission().unwrap(), found.chain().unwrap());
+        let real = model.chain_with(&truth).unwrap();
+        let mut random = Random::new(99);
+        let mut q = vec![0.0; chain.dof()];
+        for _ in 0..100 {
+            let posture = posture(&model, &mut random);
+            let Some(motors) = model.motors(&truth, &posture).unwrap() else {
+                continue;
+            };
+            drives.joints(&motors, &mut q).unwrap().unwrap();
+            let (one, two) = (
+                tool_pose(&chain, &q).unwrap(),
+                tool_pose(&real, &posture).unwrap(),
+            );
+            let off = (one.translation.vector - two.translation.vector).norm();
+            assert!(off < 1e-8, "{id}: {off:e}");
+        }
+    }
+    // A linkage twice as large is the same drive, and a servo's zero is its joint's.
+    let model = model("abb-paper", DRIVES);
+    let simulation = Simulation {
+        of_motors: true,
+        ..Simulation::default()
+    };
+    let (_, measurements) = simulate(&model, &simulation).unwrap();
+    let result = Calibration::new(model, measurements)
+        .unwrap()
+        .run()
+        .unwrap();
+    let held: Vec<&str> = result.held.iter().map(|held| held.name.as_str()).collect();
+    assert!(held.contains(&"m1.offset"), "{held:?}");
+    let lengths = ["m3.crank", "m3.coupler", "m3.rocker", "m3.frame"];
+    assert!(lengths.iter().any(|l| held.contains(l)), "{held:?}");
+}
+
+/// Columns in another's place are recognised, whatever was measured; and the arm that is only a little off is not taken for such.
+#[test]
+fn exchanged_columns_are_recognised() {
+    for id in ["irb120", "ar3", "ur5"] {
+        let model = model(id, Groups::USUAL);
+        for kind in [Kind::Poses, Kind::Position, Kind::Positions] {
+            let simulation = Simulation {
+                kind,
+                ..Simulation::default()
+            };
+            let (_, measurements) = simulate(&model, &simulation).unwrap();
+            let refused = |change: &dyn Fn(&mut Measurement)| {
+                let mut measurements = measurements.clone();
+                measurements.iter_mut().for_each(change);
+                let made = Calibration::new(model.clone(), measurements);
+                made.err()
+                    .map(|error| error.to_string())
+                    .unwrap_or_default()
+            };
+            assert_eq!(refused(&|_| ()), "", "{id}");
+            let said = refused(&|m| m.readings.values_mut().swap(1, 2));
+            let [two, three] = [1, 2].map(|k| &model.chain().variables()[k].name);
+            let words = format!("with {two} and {three} exchanged: are columns exchanged?");
+            assert!(said.contains(&words), "{id} {kind:?}: {said}");
+            let said = refused(&|m| {
+                m.readings
+                    .values_mut()
+                    .iter_mut()
+                    .for_each(|q| *q *= 57.29577951308232)
+            });
+            assert!(
+                said.contains("columns in degrees are called q1_deg"),
+                "{id} {kind:?}: {said}"
+            );
+            let said = refused(&|m| match &mut m.seen {
+                Seen::Pose(pose) => pose.translation.vector.swap_rows(0, 1),
+                Seen::Position { point, .. } => point.swap(0, 1),
+                _ => {}
+            });
+            assert!(
+                said.contains("with x and y exchanged"),
+                "{id} {kind:?}: {said}"
+            );
         }
     }
 }

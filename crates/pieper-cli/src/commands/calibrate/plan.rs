@@ -19,9 +19,10 @@ pub(super) struct Plan {
 }
 
 pub(super) fn of(model: &Model, simulation: &Simulation, budget: usize) -> Result<Plan, Failure> {
-    let (_, candidates) = simulate(model, simulation);
+    let (_, candidates) = simulate(model, simulation)?;
     let is_above = |measurement: &Measurement| {
-        tool_pose(model.chain(), &measurement.joints)
+        let q = model.joints(&measurement.readings);
+        q.and_then(|q| tool_pose(model.chain(), &q))
             .is_ok_and(|pose| (model.chain().base().inverse() * pose).translation.z > 0.0)
     };
     let above: Vec<Measurement> = candidates.iter().filter(|m| is_above(m)).cloned().collect();
@@ -52,17 +53,17 @@ pub(super) fn of(model: &Model, simulation: &Simulation, budget: usize) -> Resul
 
 impl Plan {
     /// A table to fill in.
-    pub(super) fn csv(&self, model: &Model) -> String {
+    pub(super) fn csv(&self, model: &Model) -> Result<String, Failure> {
         let mut out = String::from(
             "# Postures to measure, chosen for what they say: fill in what is seen there.\n",
         );
-        let names: Vec<String> = super::table::joint_names(model);
-        let _ = writeln!(out, "{},x_mm,y_mm,z_mm,qw,qx,qy,qz", names.join(","));
+        let columns = super::table::Columns::of(model, &self.chosen)?;
+        let _ = writeln!(out, "{},x_mm,y_mm,z_mm,qw,qx,qy,qz", columns.names());
         for measurement in &self.chosen {
-            let cells = super::table::joints(model, &measurement.joints, 3);
+            let cells = columns.cells(&measurement.readings, 3);
             let _ = writeln!(out, "{cells},,,,,,,");
         }
-        out
+        Ok(out)
     }
 
     pub(super) fn text(&self, out: &Path) -> String {
@@ -83,7 +84,7 @@ impl Plan {
     pub(super) fn document(&self, out: &Path) -> Value {
         json!({
             "out": out.display().to_string(),
-            "postures": self.chosen.iter().map(|m| m.joints.clone()).collect::<Vec<_>>(),
+            "postures": self.chosen.iter().map(|m| m.readings.values()).collect::<Vec<_>>(),
             "gain": self.gain.is_finite().then_some(self.gain),
         })
     }

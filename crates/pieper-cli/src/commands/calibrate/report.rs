@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use pieper::calibration::{Estimate, Measurement, Outcome, Residual};
+use pieper::calibration::{Estimate, Measurement, Outcome, Residual, Unit};
 use pieper_plot::{Panel, Section, Series, Table, TimeChart, chart_along};
 use serde_json::{Value, json};
 
+use super::table::in_unit;
 use crate::error::Failure;
 use crate::text;
 
@@ -20,20 +21,9 @@ pub(super) struct Report<'a> {
 /// Correlations above this are named.
 const CORRELATED: f64 = 0.98;
 
-/// A value with its unit: millimetres or degrees.
+/// A value in the unit people read it in.
 fn shown(estimate: &Estimate, value: f64, decimals: usize) -> String {
-    match estimate.is_angle {
-        true => format!("{:.decimals$}", value.to_degrees()),
-        false => format!("{:.decimals$}", value * 1e3),
-    }
-}
-
-fn unit(estimate: &Estimate) -> &'static str {
-    match (estimate.is_angle, estimate.name.starts_with("gear")) {
-        (true, _) => "deg",
-        (_, true) => "1/1000",
-        _ => "mm",
-    }
+    format!("{:.decimals$}", in_unit(estimate.unit, value).0)
 }
 
 fn rms(residuals: &[Residual]) -> f64 {
@@ -52,7 +42,7 @@ impl Report<'_> {
             rms(&self.result.before) * 1e3,
             rms(&self.result.after) * 1e3
         );
-        out.push_str("Parameter: nominal, identified, standard deviation (mm, deg).\n");
+        out.push_str("Parameter: nominal, identified, standard deviation (mm, deg, thousandths of ratios).\n");
         for estimate in &self.result.estimates {
             let sigma = match estimate.sigma {
                 Some(sigma) => shown(estimate, sigma, 5),
@@ -131,7 +121,7 @@ impl Report<'_> {
                     Signed(shown(estimate, estimate.value - estimate.nominal, 4))
                 ),
                 interval,
-                unit(estimate).to_owned(),
+                in_unit(estimate.unit, 0.0).1.to_owned(),
             ]
         };
         self.result.estimates.iter().map(row).collect()
@@ -218,7 +208,7 @@ impl Report<'_> {
         let estimate = |estimate: &Estimate| {
             json!({
                 "name": estimate.name, "nominal": estimate.nominal, "value": estimate.value, "sigma": estimate.sigma,
-                "unit": if estimate.is_angle { "rad" } else { "m" },
+                "unit": match estimate.unit { Unit::Angle => "rad", Unit::Length => "m", Unit::Ratio => "1" },
             })
         };
         let held = |held: &pieper::calibration::Held| {

@@ -224,12 +224,42 @@ impl Arm {
         if !swollen {
             return Ok(());
         }
-        let text = format!(
-            "a formula of it has more than {} terms: with fewer joints, or with numbers for its lengths (--numeric), it \
-             may be written down",
-            crate::poly::MAX_TERMS
-        );
+        let most = crate::poly::MAX_TERMS;
+        let is_numeric = self
+            .names
+            .symbols()
+            .all(|(.., meaning)| matches!(meaning, SymbolMeaning::Joint(_)));
+        let instead = match is_numeric {
+            true => {
+                "its axes are neither parallel nor do they meet; `pieper codegen` writes it as code, link by link, and `pieper ik` solves it"
+            }
+            false => {
+                "with fewer joints, or with numbers for its lengths (--numeric), it may be written down"
+            }
+        };
+        let text = format!("a formula of it has more than {most} terms: {instead}");
         Err(Error::model(self.title.clone(), text))
+    }
+
+    /// The first three rows of the tool's pose in numbers, link by link: no formula is multiplied out.
+    pub fn pose_at(&self, q: &[f64], parameter: &impl Fn(&str) -> f64) -> [[f64; 4]; 3] {
+        let numbers = |transform: &Transform| {
+            let entry = |poly: &Poly| poly.evaluate(&0.0, |var| self.value_at(var, q, parameter));
+            transform.0.each_ref().map(|row| row.each_ref().map(entry))
+        };
+        let links = (0..self.dof()).map(|index| self.link(index));
+        let all = self.base.iter().cloned().chain(links);
+        let all = all.chain(self.tool.iter().cloned());
+        let mut pose = numbers(&Transform::identity());
+        for next in all.map(|transform| numbers(&transform)) {
+            pose = std::array::from_fn(|i| {
+                std::array::from_fn(|j| {
+                    let turned: f64 = (0..3).map(|k| pose[i][k] * next[k][j]).sum();
+                    turned + if j == 3 { pose[i][3] } else { 0.0 }
+                })
+            });
+        }
+        pose
     }
 
     /// The value of every quantity at a joint vector, by `parameter` for the symbols of the table.

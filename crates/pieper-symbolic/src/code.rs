@@ -2,7 +2,8 @@
 //!
 //! Forward kinematics are the rows' product from tool to base as a graph in which equal parts are one node; parallel
 //! axes turn once, by the sum of their angles; one column of the rotation may be the cross product of the others. Of the
-//! ways to do it the one with fewest operations is taken. The Jacobian is its formulas in the same graph. The inverse
+//! ways to do it the one with fewest operations is taken. The Jacobian is its formulas as such a graph, or axes and points carried from base
+//! to tool where those are fewer operations: an arm whose formulas would fill pages has code all the same. The inverse
 //! is the list of steps of [`inverse`](crate::inverse), a loop for each branch, with every solution put back into the
 //! forward kinematics before it is returned.
 
@@ -11,12 +12,14 @@ mod forward;
 mod graph;
 mod language;
 mod program;
+mod velocity;
 
 use pieper::Result;
 
 use crate::arm::Arm;
 
-pub use forward::{Operations, operations};
+pub use forward::operations;
+pub use graph::Operations;
 pub use language::Language;
 
 /// What to generate.

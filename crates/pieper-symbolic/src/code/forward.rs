@@ -4,7 +4,7 @@ use pieper::describe::Convention;
 use pieper::kinematics::kernel::Turn;
 use pieper::spatial::Quarters;
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Id, Operations};
 use crate::angle;
 use crate::arm::{Arm, positive};
 use crate::names::AngleMeaning;
@@ -17,35 +17,10 @@ pub(crate) struct Forward {
     pub(crate) pose: [[Id; 4]; 3],
 }
 
-/// How many multiplications and additions a computation takes, sines and cosines apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Operations {
-    /// Multiplications.
-    pub multiplications: usize,
-    /// Additions and subtractions.
-    pub additions: usize,
-}
-
 /// The operations of the generated forward kinematics.
 pub fn operations(arm: &Arm) -> Operations {
     let forward = best(arm);
-    count(&forward.graph, forward.pose.as_flattened())
-}
-
-fn count(graph: &Graph, outputs: &[Id]) -> Operations {
-    let uses = graph.uses(outputs);
-    let mut found = Operations {
-        multiplications: 0,
-        additions: 0,
-    };
-    for (node, _) in graph.nodes.iter().zip(uses).filter(|(_, uses)| *uses > 0) {
-        match node {
-            Node::Mul(..) => found.multiplications += 1,
-            Node::Add(..) | Node::Sub(..) => found.additions += 1,
-            _ => {}
-        }
-    }
-    found
+    forward.graph.operations(forward.pose.as_flattened())
 }
 
 /// The way with fewest operations: all columns, or two of them and the third by a cross product.
@@ -61,8 +36,7 @@ pub(crate) fn best(arm: &Arm) -> Forward {
             cross(&mut other, column);
         }
         translate(arm, &mut other);
-        let operations = count(&other.graph, other.pose.as_flattened());
-        let total = operations.multiplications + operations.additions;
+        let total = other.graph.operations(other.pose.as_flattened()).total();
         if found.as_ref().is_none_or(|(least, _)| total < *least) {
             found = Some((total, other));
         }

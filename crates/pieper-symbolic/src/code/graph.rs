@@ -29,6 +29,22 @@ pub(crate) struct Graph {
     known: HashMap<Node, Id>,
 }
 
+/// How many multiplications and additions a computation takes, sines and cosines apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Operations {
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Additions and subtractions.
+    pub additions: usize,
+}
+
+impl Operations {
+    /// All of them.
+    pub fn total(self) -> usize {
+        self.multiplications + self.additions
+    }
+}
+
 impl Graph {
     fn node(&mut self, node: Node) -> Id {
         if let Some(&id) = self.known.get(&node) {
@@ -163,6 +179,23 @@ impl Graph {
             // Polynomials hold nothing else.
             _ => self.zero(),
         }
+    }
+
+    /// What it takes to compute the outputs.
+    pub(crate) fn operations(&self, outputs: &[Id]) -> Operations {
+        let uses = self.uses(outputs);
+        let mut found = Operations {
+            multiplications: 0,
+            additions: 0,
+        };
+        for (node, _) in self.nodes.iter().zip(uses).filter(|(_, uses)| *uses > 0) {
+            match node {
+                Node::Mul(..) => found.multiplications += 1,
+                Node::Add(..) | Node::Sub(..) => found.additions += 1,
+                _ => {}
+            }
+        }
+        found
     }
 
     /// The nodes a node is made of.

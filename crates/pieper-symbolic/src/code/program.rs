@@ -4,12 +4,11 @@ use pieper::{Error, Result};
 
 use super::emit::{Emit, vars_of};
 use super::graph::{Graph, Id};
-use super::{Language, Precision, What, forward};
+use super::{Language, Precision, What, forward, velocity};
 use crate::arm::Arm;
 use crate::basis;
 use crate::form;
 use crate::inverse::{self, Inverse, Rule, Step};
-use crate::jacobian;
 use crate::names::{AngleMeaning, SymbolMeaning, Var};
 use crate::poly::Poly;
 use crate::print;
@@ -27,7 +26,6 @@ pub(super) fn generate(
             "numbers are doubles in Python and MATLAB: leave it out",
         ));
     }
-    arm.not_swollen(arm.tool_pose()?.is_swollen())?;
     let wanted = matches!(what, What::Inverse | What::All);
     let inverse = match (wanted, inverse::derive(arm)) {
         (false, _) => None,
@@ -277,8 +275,8 @@ impl Program<'_> {
         let arm = self.emit.arm;
         let sums = basis::cumulative(arm);
         self.emit.line("");
-        self.emit.comment("The tool's pose. In formulas:");
         if let Ok(pose) = arm.tool_pose() {
+            self.emit.comment("The tool's pose. In formulas:");
             for column in 0..4 {
                 for row in 0..3 {
                     let formula = form::of(&arm.names, &sums.rewrite(&pose.0[row][column]));
@@ -287,6 +285,9 @@ impl Program<'_> {
                         .comment(&format!("  t{}{} = {text}", row + 1, column + 1));
                 }
             }
+        } else {
+            self.emit
+                .comment("The tool's pose. Its formulas would fill pages: this is the product of the links, from tool to base.");
         }
         let forward = forward::best(arm);
         self.matrix("fk", "T", &forward.graph, forward.pose.as_flattened(), 4);
@@ -310,15 +311,15 @@ impl Program<'_> {
 
     fn jacobian(&mut self) {
         let arm = self.emit.arm;
-        let sums = basis::cumulative(arm);
-        let jacobian = jacobian::in_base(arm);
-        let mut graph = Graph::default();
-        let entries = jacobian.0.iter().flatten();
-        let outputs: Vec<Id> = entries
-            .map(|entry| graph.poly(&arm.names, &sums.rewrite(entry)))
-            .collect();
+        let velocity = velocity::best(arm, arm.tool_pose().is_ok());
         self.emit.comment("The Jacobian in the base's axes: rows vx vy vz of the tool point, wx wy wz; a column a joint.");
-        self.matrix("jacobian", "J", &graph, &outputs, arm.dof());
+        self.matrix(
+            "jacobian",
+            "J",
+            &velocity.graph,
+            &velocity.entries,
+            arm.dof(),
+        );
     }
 
     /// Small functions the inverse is made of.
@@ -639,12 +640,7 @@ impl Program<'_> {
         let q: Vec<f64> = (0..count)
             .map(|joint| 0.3 + 0.2 * joint as f64 - 0.7 * (joint % 2) as f64)
             .collect();
-        let pose = arm.tool_pose().map(|pose| {
-            pose.0.map(|row| {
-                row.map(|entry| entry.evaluate(&0.0, |var| arm.value_at(var, &q, &parameter)))
-            })
-        });
-        let Ok(pose) = pose else { return };
+        let pose = arm.pose_at(&q, &parameter);
         let list = |values: &[f64]| {
             values
                 .iter()

@@ -41,6 +41,7 @@ impl Mesh {
             .iter()
             .map(|t| (t, normal(t)))
             .filter(|(_, n)| n.norm_squared() > 0.0 && n.norm_squared().is_finite())
+            .filter(|(t, _)| t.iter().flatten().all(|x| (*x as f32).is_finite()))
             .collect();
         // Faces around each place.
         let key = |p: &[f64; 3]| p.map(|x| (x as f32 + 0.0).to_bits());

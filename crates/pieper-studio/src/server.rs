@@ -15,6 +15,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use axum::serve::ListenerExt as _;
 use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
 
@@ -148,6 +149,10 @@ impl Studio {
 async fn listen(listener: TcpListener, state: Arc<State>) -> Result<(), String> {
     let clock = tokio::spawn(hub::run(Arc::clone(&state)));
     let looking = tokio::spawn(controller::run(Arc::clone(&state)));
+    // Small messages go at once: held back until the last was acknowledged, a pose would come 40 ms late.
+    let listener = listener.tap_io(|stream| {
+        let _ = stream.set_nodelay(true);
+    });
     let served = axum::serve(listener, routes::router(state)).await;
     clock.abort();
     looking.abort();

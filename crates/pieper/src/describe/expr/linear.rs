@@ -49,6 +49,8 @@ impl Expr {
                     }
                 })
             });
+        // A zero of any unit is nothing: it is not written, and must read as what is not there.
+        let offset = offset.filter(|offset| !offset.is_zero());
         let offset = offset.unwrap_or(Expr::Number(0.0, Unit::None));
         Some(Linear {
             sign: if negative { -1.0 } else { 1.0 },

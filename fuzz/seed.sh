@@ -33,7 +33,7 @@ cp ../examples/ar3-claims.* corpus/claims/
 mkdir -p corpus/measurement_table corpus/mesh
 i=0
 for table in 'q1_deg,q2_deg,x_mm,x,y,z,sigma_mm\n1,2,3,0.1,0.2,0,0.1\n4,5,6,0.2,0.3,0.1,\n' \
-    's_deg,m2_deg,m3,x,y,z,qw,qx,qy,qz\n90,1,0.1,0.4,0.1,0.1,1,0,0,0\n80,2,0.1,0.3,0.1,0.1,1,0,0,0\n' \
+    'm1_deg,m2_deg,m3,x,y,z,qw,qx,qy,qz\n90,1,0.1,0.4,0.1,0.1,1,0,0,0\n80,2,0.1,0.3,0.1,0.1,1,0,0,0\n' \
     'q1,q2,q3,distance,anchor,plane,contact,px,py,pz\n0,0,0,1,a,,,0,0,0\n1,0,0,,,p,,0,0,0\n1,1,0,,,,c,0,0,0\n'; do
     i=$((i + 1))
     printf "$table" > "corpus/measurement_table/seed-$i"

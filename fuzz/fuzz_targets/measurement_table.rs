@@ -13,7 +13,7 @@ use pieper::transmission::Transmission;
 static MODEL: LazyLock<(Model, Transmission)> = LazyLock::new(|| {
     let arm = "name = 'r'\nconvention = 'standard'\n\
                [[joint]]\ntheta = 'q1'\na = 0.3\n[[joint]]\ntheta = 'q2'\na = 0.2\n[[joint]]\nname = 'x'\nd = 'q3'\n\
-               [[transmission]]\nkind = 'servo'\nmotor = 's'\njoint = 'q1'\n\
+               [[transmission]]\nkind = 'servo'\nmotor = 'm1'\njoint = 'q1'\n\
                [[transmission]]\nkind = 'four-bar'\nmotor = 'm2'\ncrank = 0.03\ncoupler = 0.3\nrocker = 0.04\nframe = 0.3\nrocker_angle = 'q2'\n";
     let robot = Robot::from_toml("r.toml", arm).unwrap();
     let groups = Groups { a: true, theta: true, drive: true, base: true, ..Groups::NONE };

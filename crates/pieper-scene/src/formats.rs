@@ -23,6 +23,47 @@ pub struct Piece {
 /// Triangles of one colour, still loose.
 type Loose = Vec<(Vec<[[f64; 3]; 3]>, Option<Color>)>;
 
+/// What a file's tree of nodes shows. A node may stand in many places, and what is in it with it: a small file can ask for a picture
+/// without end, so what is repeated counts each time.
+#[derive(Default)]
+struct Gathered {
+    pieces: Loose,
+    nodes: usize,
+    triangles: usize,
+}
+
+impl Gathered {
+    /// One more node.
+    fn enter(&mut self) -> Result<(), String> {
+        self.nodes += 1;
+        match self.nodes <= MOST_NODES {
+            true => Ok(()),
+            false => Err(format!(
+                "it shows more than {MOST_NODES} nodes, those counted each time that stand in several places"
+            )),
+        }
+    }
+
+    fn add(&mut self, triangles: Vec<[[f64; 3]; 3]>, color: Option<Color>) -> Result<(), String> {
+        self.triangles += triangles.len();
+        check_count(self.triangles)?;
+        self.pieces.push((triangles, color));
+        Ok(())
+    }
+}
+
+const MOST_NODES: usize = 100_000;
+
+fn check_count(triangles: usize) -> Result<(), String> {
+    match triangles <= mesh::MOST_TRIANGLES {
+        true => Ok(()),
+        false => Err(format!(
+            "it has {triangles} triangles or more, at most {} are taken",
+            mesh::MOST_TRIANGLES
+        )),
+    }
+}
+
 /// Reads a mesh file by its ending, or by its beginning where the ending says nothing.
 ///
 /// # Errors
@@ -44,13 +85,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Vec<Piece>, String> {
             ));
         }
     };
-    let count: usize = loose.iter().map(|(triangles, _)| triangles.len()).sum();
-    if count > mesh::MOST_TRIANGLES {
-        return Err(format!(
-            "it has {count} triangles, at most {} are taken",
-            mesh::MOST_TRIANGLES
-        ));
-    }
+    check_count(loose.iter().map(|(triangles, _)| triangles.len()).sum())?;
     let pieces: Vec<Piece> = loose
         .into_iter()
         .map(|(triangles, color)| Piece {

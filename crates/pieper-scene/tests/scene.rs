@@ -238,6 +238,57 @@ fn gltf_is_placed_and_coloured() {
             .contains("outside.bin")
     );
     assert!(formats::read("t.glb", b"glTF").is_err());
+    // Numbers that point elsewhere are said, and looked up nowhere.
+    for (from, to, words) in [
+        (
+            r#""POSITION":0"#,
+            r#""POSITION":7"#,
+            "positions are accessor 7, there are 2",
+        ),
+        (
+            r#""count":3,"type":"VEC3""#,
+            r#""count":4,"type":"VEC3""#,
+            "accessor 0 reaches past",
+        ),
+        (
+            r#""byteLength":6}"#,
+            r#""byteLength":600}"#,
+            "view 1 reaches past",
+        ),
+        (
+            r#""byteOffset":36"#,
+            r#""byteOffset":18446744073709551600"#,
+            "view 1 reaches past",
+        ),
+    ] {
+        let error = formats::read("t.gltf", text.replace(from, to).as_bytes()).unwrap_err();
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+/// A few lines can ask for a picture without end: each node shows the next one twice.
+#[test]
+fn repeated_nodes_come_to_an_end() {
+    let nodes: Vec<String> = (0..60)
+        .map(|k| format!(r#"{{"children":[{},{}]}}"#, 2 * k + 1, 2 * k + 2))
+        .collect();
+    // glTF: its nodes are a tree, or the file is at fault; either way it ends.
+    let text = format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{},{{}}]}}"#,
+        nodes.join(",").replace("[1,2]", "[1,1]")
+    );
+    assert!(formats::read("t.gltf", text.as_bytes()).is_err());
+    let twice = |k: usize| {
+        let next = format!("<instance_node url='#n{}'/>", k + 1);
+        format!("<node id='n{k}'>{next}{next}</node>")
+    };
+    let nodes: String = (0..40).map(twice).collect();
+    let text = format!(
+        "<COLLADA><library_nodes>{nodes}<node id='n40'/></library_nodes><library_visual_scenes><visual_scene id='s'><node><instance_node \
+         url='#n0'/></node></visual_scene></library_visual_scenes></COLLADA>"
+    );
+    let error = formats::read("t.dae", text.as_bytes()).unwrap_err();
+    assert!(error.contains("more than 100000 nodes"), "{error}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use nalgebra::{Matrix4, Point3, Rotation3, Unit, Vector3};
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::Loose;
+use super::{Gathered, Loose};
 use crate::body::Color;
 
 /// Nodes inside nodes, at most: deeper is no arm, and a cycle has no end.
@@ -32,7 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Loose, String> {
         .and_then(|text| text.parse().ok())
         .unwrap_or(1.0);
     let scale = Matrix4::new_scaling(metres);
-    let mut out = Vec::new();
+    let mut out = Gathered::default();
     let scenes: Vec<Node<'_, '_>> = file
         .root
         .descendants()
@@ -50,7 +50,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Loose, String> {
     for scene in scenes {
         file.nodes(scene, &scale, DEEPEST, &mut out)?;
     }
-    Ok(out)
+    Ok(out.pieces)
 }
 
 /// Names without their namespaces.
@@ -93,7 +93,7 @@ impl<'a> File<'a> {
         parent: Node<'a, 'a>,
         above: &Matrix4<f64>,
         depth: usize,
-        out: &mut Loose,
+        out: &mut Gathered,
     ) -> Result<(), String> {
         let depth = depth
             .checked_sub(1)
@@ -111,8 +111,9 @@ impl<'a> File<'a> {
         node: Node<'a, 'a>,
         above: &Matrix4<f64>,
         depth: usize,
-        out: &mut Loose,
+        out: &mut Gathered,
     ) -> Result<(), String> {
+        out.enter()?;
         let mut place = *above;
         for step in node.children() {
             place *= transform(step)?;
@@ -166,7 +167,7 @@ impl<'a> File<'a> {
         geometry: Node<'a, 'a>,
         place: &Matrix4<f64>,
         colors: &HashMap<&str, Color>,
-        out: &mut Loose,
+        out: &mut Gathered,
     ) -> Result<(), String> {
         let Some(mesh) = Self::child(geometry, "mesh") else {
             return Ok(());
@@ -222,13 +223,11 @@ impl<'a> File<'a> {
                     triangles.push([face[0], b, c]);
                 }
             }
-            out.push((
-                triangles,
-                primitive
-                    .attribute("material")
-                    .and_then(|symbol| colors.get(symbol))
-                    .copied(),
-            ));
+            let color = primitive
+                .attribute("material")
+                .and_then(|symbol| colors.get(symbol))
+                .copied();
+            out.add(triangles, color)?;
         }
         Ok(())
     }

@@ -1,17 +1,23 @@
 //! glTF and GLB: the default scene's meshes with their base colours; buffers inside the file.
 
 use base64::Engine as _;
-use gltf::mesh::Mode;
-use gltf::{Gltf, Node, Primitive};
+use gltf::json::validation::Checked;
+use gltf::mesh::{Mode, Semantic};
+use gltf::{Document, Gltf, Node, Primitive};
 use nalgebra::{Matrix4, Point3};
 
-use super::Loose;
+use super::{Gathered, Loose};
 
 /// Nodes inside nodes, at most.
 const DEEPEST: usize = 64;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Loose, String> {
-    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|error| error.to_string())?;
+    let Gltf { document, blob } =
+        Gltf::from_slice_without_validation(bytes).map_err(|error| error.to_string())?;
+    let json = document.into_json();
+    positions_are_there(&json)?;
+    let document = Document::from_json(json).map_err(|error| error.to_string())?;
+    accessors_are_inside(&document)?;
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
         let data = match buffer.source() {
@@ -41,11 +47,55 @@ pub(super) fn read(bytes: &[u8]) -> Result<Loose, String> {
         .default_scene()
         .or_else(|| document.scenes().next())
         .ok_or("it has no scene")?;
-    let mut out = Vec::new();
+    let mut out = Gathered::default();
     for node in scene.nodes() {
         visit(&node, &Matrix4::identity(), DEEPEST, &buffers, &mut out)?;
     }
-    Ok(out)
+    Ok(out.pieces)
+}
+
+/// The crate's own check looks up the positions' accessor before it knows that there is one, and panics.
+fn positions_are_there(json: &gltf::json::Root) -> Result<(), String> {
+    let primitives = json.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let positions =
+        primitives.filter_map(|p| p.attributes.get(&Checked::Valid(Semantic::Positions)));
+    let count = json.accessors.len();
+    match positions.map(|index| index.value()).find(|i| *i >= count) {
+        None => Ok(()),
+        Some(index) => Err(format!(
+            "a mesh's positions are accessor {index}, there are {count}"
+        )),
+    }
+}
+
+/// What is read lies within what is there: the crate's reader takes it for granted.
+fn accessors_are_inside(document: &Document) -> Result<(), String> {
+    for view in document.views() {
+        let end = view.offset().checked_add(view.length());
+        if end.is_none_or(|end| end > view.buffer().length()) {
+            return Err(format!(
+                "view {} reaches past the end of its buffer",
+                view.index()
+            ));
+        }
+    }
+    for accessor in document.accessors() {
+        let index = accessor.index();
+        if accessor.sparse().is_some() {
+            return Err(format!("accessor {index} is sparse, which is not read"));
+        }
+        let Some(view) = accessor.view() else {
+            continue;
+        };
+        let stride = view.stride().unwrap_or(accessor.size());
+        let gaps = accessor.count().saturating_sub(1).checked_mul(stride);
+        let size = gaps.and_then(|gaps| gaps.checked_add(accessor.size()));
+        let end = size.and_then(|size| size.checked_add(accessor.offset()));
+        if end.is_none_or(|end| end > view.length()) {
+            return Err(format!("accessor {index} reaches past the end of its view"));
+        }
+    }
+    Ok(())
 }
 
 fn visit(
@@ -53,11 +103,12 @@ fn visit(
     above: &Matrix4<f64>,
     depth: usize,
     buffers: &[Vec<u8>],
-    out: &mut Loose,
+    out: &mut Gathered,
 ) -> Result<(), String> {
     let depth = depth
         .checked_sub(1)
         .ok_or("its nodes are nested too deeply")?;
+    out.enter()?;
     let columns = node.transform().matrix();
     let own = Matrix4::from_fn(|i, j| f64::from(columns[j][i]));
     let place = above * own;
@@ -66,7 +117,7 @@ fn visit(
             .material()
             .pbr_metallic_roughness()
             .base_color_factor();
-        out.push((triangles(&primitive, &place, buffers)?, Some(screen(color))));
+        out.add(triangles(&primitive, &place, buffers)?, Some(screen(color)))?;
     }
     for child in node.children() {
         visit(&child, &place, depth, buffers, out)?;

@@ -1,9 +1,10 @@
 //! glTF and GLB: the default scene's meshes with their base colours; buffers inside the file.
 
 use base64::Engine as _;
+use gltf::accessor::{DataType, Dimensions};
 use gltf::json::validation::Checked;
 use gltf::mesh::{Mode, Semantic};
-use gltf::{Document, Gltf, Node, Primitive};
+use gltf::{Accessor, Document, Gltf, Node, Primitive};
 use nalgebra::{Matrix4, Point3};
 
 use super::{Gathered, Loose};
@@ -88,6 +89,9 @@ fn accessors_are_inside(document: &Document) -> Result<(), String> {
             continue;
         };
         let stride = view.stride().unwrap_or(accessor.size());
+        if stride < accessor.size() {
+            return Err(format!("accessor {index}'s numbers overlap in their view"));
+        }
         let gaps = accessor.count().saturating_sub(1).checked_mul(stride);
         let size = gaps.and_then(|gaps| gaps.checked_add(accessor.size()));
         let end = size.and_then(|size| size.checked_add(accessor.offset()));
@@ -133,6 +137,21 @@ fn triangles(
     if primitive.mode() != Mode::Triangles {
         // Points and lines are no surface; strips and fans are hardly ever written.
         return Ok(Vec::new());
+    }
+    let is = |accessor: &Accessor<'_>, of: &[DataType], shape: Dimensions| {
+        of.contains(&accessor.data_type()) && accessor.dimensions() == shape
+    };
+    // Other types the crate's reader takes for a mistake of its own, and panics.
+    let positions = primitive.get(&Semantic::Positions);
+    if !positions.is_some_and(|a| is(&a, &[DataType::F32], Dimensions::Vec3)) {
+        return Err("positions of three 32-bit numbers were expected".to_owned());
+    }
+    let whole = [DataType::U8, DataType::U16, DataType::U32];
+    if primitive
+        .indices()
+        .is_some_and(|a| !is(&a, &whole, Dimensions::Scalar))
+    {
+        return Err("indices that are unsigned whole numbers were expected".to_owned());
     }
     let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
     let positions = reader.read_positions().ok_or("a mesh without positions")?;

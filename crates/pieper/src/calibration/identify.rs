@@ -69,14 +69,15 @@ pub(super) fn identify(problem: &Problem) -> (Vec<usize>, Vec<Held>) {
         rates.column_mut(column).scale_mut(parameter.spread);
     }
     let (mut kept, rest) = pivot(problem, &rates, among);
-    let chosen = rates.select_columns(&kept).svd(true, true);
+    // There are no singular values of nothing.
+    let chosen = (!kept.is_empty()).then(|| rates.select_columns(&kept).svd(true, true));
     let mut held = Vec::new();
     for &index in &rest {
         let column: DVector<f64> = rates.column(index).into();
         let spread = problem.parameters[index].spread;
-        let with = match column.norm() > 0.0 && !kept.is_empty() {
-            false => Vec::new(),
-            true => {
+        let with = match chosen.as_ref().filter(|_| column.norm() > 0.0) {
+            None => Vec::new(),
+            Some(chosen) => {
                 let factors = chosen.solve(&column, 1e-12);
                 let factors = factors.unwrap_or_else(|_| DVector::zeros(kept.len()));
                 let largest = factors.amax();

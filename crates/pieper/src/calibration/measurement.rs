@@ -25,6 +25,18 @@ impl Seen {
         }
     }
 
+    /// All its lengths.
+    pub(super) fn lengths(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self.at().iter().copied().collect();
+        match self {
+            Self::Pose(pose) => all.extend(pose.translation.vector.iter()),
+            Self::Position { point, .. } => all.extend(point),
+            Self::Distance { distance, .. } => all.push(*distance),
+            Self::Plane { .. } | Self::Contact { .. } => {}
+        }
+        all
+    }
+
     /// The point of the tool that is looked at.
     pub(super) fn at(&self) -> Vector3<f64> {
         match self {

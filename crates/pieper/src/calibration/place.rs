@@ -77,7 +77,7 @@ fn anchor(problem: &Problem, points: &[(usize, Vector3<f64>)]) -> Option<Vector3
         Seen::Distance { distance, .. } => *distance,
         _ => 0.0,
     };
-    let (first, rest) = points.split_first()?;
+    let (first, rest) = points.split_first().filter(|(_, rest)| !rest.is_empty())?;
     let mut left = DMatrix::zeros(rest.len(), 3);
     let mut right = DVector::zeros(rest.len());
     for (row, (index, point)) in rest.iter().enumerate() {
@@ -178,6 +178,9 @@ fn base_and_tool(problem: &Problem) -> Option<(Pose, Pose)> {
             _ => None,
         })
         .collect();
+    if pairs.is_empty() {
+        return None;
+    }
     let mut sum = DMatrix::<f64>::zeros(9, 9);
     for (a, b) in &pairs {
         sum += b.rotation.matrix().kronecker(a.rotation.matrix());

@@ -92,6 +92,9 @@ pub struct Calibration {
     is_robust: bool,
 }
 
+/// Lengths and angles above this, metres and radians, are no arm's, and their squares would be no numbers.
+const MOST: f64 = 1e6;
+
 /// The most rounds of reweighing.
 const ROUNDS: usize = 30;
 
@@ -117,9 +120,18 @@ impl Calibration {
             model
                 .joints(&measurement.readings)
                 .map_err(|error| Error::input(subject(), error.to_string()))?;
-            let is_positive = |sigma: f64| sigma > 0.0 && sigma.is_finite();
+            let is_positive = |sigma: f64| (1e-15..MOST).contains(&sigma);
             if !is_positive(measurement.sigma) || !is_positive(measurement.sigma_angle) {
                 let text = "a standard deviation above zero was expected";
+                return Err(Error::input(subject(), text));
+            }
+            let readings = measurement.readings.values();
+            if let Some(value) = readings
+                .iter()
+                .chain(&measurement.seen.lengths())
+                .find(|x| x.is_nan() || x.abs() > MOST)
+            {
+                let text = format!("{value} is no arm's: at most {MOST:e} was expected");
                 return Err(Error::input(subject(), text));
             }
         }
@@ -167,6 +179,10 @@ impl Calibration {
         let is_robust = self.is_robust;
         let mut problem = self.problem;
         let (free, held) = identify(&problem);
+        if free.is_empty() {
+            let text = "none of the parameters shows in these measurements: other postures, or other parameters, were expected";
+            return Err(Error::input("calibration", text));
+        }
         let numbers = problem.starts()[problem.measurements.len()];
         if numbers <= free.len() {
             return Err(Error::input(

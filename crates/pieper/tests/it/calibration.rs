@@ -454,6 +454,33 @@ fn wrong_measurements_are_refused_in_words() {
         refused(zero).contains("measurement 4"),
         "the place is named"
     );
+    let mut far = measurements.clone();
+    if let Seen::Pose(pose) = &mut far[7].seen {
+        pose.translation.vector.x = 1e200;
+    }
+    assert!(
+        refused(far).contains("measurement 8: 1"),
+        "no arm reaches that"
+    );
+    // A table of one posture, over and over: of the gears nothing shows where every joint is at zero.
+    let mut still = measurements.clone();
+    for measurement in &mut still {
+        measurement.readings.values_mut().fill(0.0);
+        if let Seen::Pose(pose) = &mut measurement.seen {
+            *pose = tool_pose(model.chain(), &[0.0; 6]).unwrap();
+        }
+    }
+    let gears = Groups {
+        gear: true,
+        ..Groups::NONE
+    };
+    let gears = Model::of(&robot("irb120"), gears).unwrap();
+    let said = Calibration::new(gears, still).and_then(Calibration::run);
+    assert!(
+        said.unwrap_err()
+            .to_string()
+            .contains("none of the parameters shows")
+    );
     let mut short = measurements;
     short[0].readings.values_mut().pop();
     assert!(refused(short).contains("measurement 1"));

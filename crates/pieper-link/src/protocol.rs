@@ -208,6 +208,11 @@ pub trait Host: Send {
     /// Whether a set-point can be given now.
     fn is_ready(&self) -> bool;
 
+    /// Whether a whole move is under way whose end has not been told yet.
+    fn is_moving(&self) -> bool {
+        false
+    }
+
     /// Sends the motors somewhere: there at once, or within the time `over` for [`Pace::Moves`].
     fn set_point(&mut self, now: Duration, motors: &[f64], over: Duration, out: &mut Vec<u8>);
 
@@ -217,6 +222,21 @@ pub trait Host: Send {
     /// Lets go in peace: the controller holds where it is, and takes no set-points any more.
     fn disarm(&mut self, now: Duration, out: &mut Vec<u8>) {
         self.stop(now, out);
+    }
+
+    /// Has the controller drive these motors to their switches, by its own rates and on its own ways, as soon as nothing else is under
+    /// way: afterwards it knows where they are.
+    ///
+    /// # Errors
+    /// A sentence where the protocol has no such command.
+    fn home(&mut self, motors: &[bool]) -> Result<(), String> {
+        let _ = motors;
+        Err("controllers of this kind find no switches when they are asked to".to_owned())
+    }
+
+    /// Whether the controller is under way to its switches: it answers nothing else meanwhile.
+    fn is_homing(&self) -> bool {
+        false
     }
 
     /// How long after the last measured values the controller counts as gone.

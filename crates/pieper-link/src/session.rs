@@ -46,6 +46,8 @@ impl Default for Options {
 pub struct Status {
     /// What the arm may do.
     pub phase: Phase,
+    /// Whether the controller is looking for its switches, and moves by its own rules.
+    pub is_homing: bool,
     /// The last thing that happened, in words: why it stopped, why the connection is gone.
     pub sentence: Option<String>,
     /// Who answered.
@@ -75,6 +77,7 @@ impl Status {
     fn new() -> Self {
         Self {
             phase: Phase::Connecting,
+            is_homing: false,
             sentence: None,
             identity: None,
             measured: None,
@@ -238,6 +241,18 @@ impl Session {
                 })))
             }
         }
+    }
+
+    /// Has the controller find its switches with these joints, which is how an arm that was switched on learns where it is. Returns at once:
+    /// [`Status::is_homing`] tells how long it lasts, [`Status::sentence`] afterwards what went wrong.
+    ///
+    /// The controller drives the joints by its own rules: no limit and no rate of the description is kept, and whether
+    /// anything ends it early is the controller's affair. The emergency stop belongs within reach.
+    ///
+    /// # Errors
+    /// A refusal in words: armed, no such joints, a controller without that command.
+    pub fn home(&self, joints: &[bool]) -> Result<(), Refusal> {
+        self.ask(|answer| Ask::Home(joints.to_vec(), answer))
     }
 
     /// Moves to joint values, within rates and accelerations; a new target may come on the way.

@@ -89,3 +89,62 @@ fn egm_with_poses_of_the_tool() {
         status.phase == Phase::Holding && near(status.measured.as_deref(), &there, 1e-3)
     });
 }
+
+/// Steps are lost, and found again at the switches: where the controller believes to be is then where it is.
+#[test]
+fn homing_finds_what_was_lost() {
+    for kind in [Kind::Ar4, Kind::Ros] {
+        let rig = Rig::new(kind);
+        rig.session.arm().unwrap();
+        let start = rig.measured();
+        let there = rig.towards(&start, 0.2);
+        rig.session.set_target(&there).unwrap();
+        rig.drive(PATIENCE, |status| {
+            status.phase == Phase::Holding && near(status.measured.as_deref(), &there, 2e-3)
+        });
+        // Armed, it does not home.
+        assert!(rig.session.home(&[true; 6]).is_err(), "{kind}");
+        rig.session.disarm().unwrap();
+        rig.served.inject(pieper_link::simulator::Fault::LoseSteps);
+        rig.session.home(&[true; 6]).unwrap();
+        // The simulated dialect C is there at once.
+        if kind == Kind::Ar4 {
+            assert!(rig.session.arm().is_err(), "armed on the way");
+        }
+        let status = rig.drive(PATIENCE * 3, |status| !status.is_homing);
+        assert_eq!(status.sentence, None, "{kind}");
+        // It stands where it starts, is told to be there, and can be moved.
+        rig.drive(PATIENCE, |status| {
+            near(status.measured.as_deref(), &start, 2e-3)
+        });
+        assert!(near(Some(&rig.joints_of_motors()), &start, 2e-3), "{kind}");
+        rig.session.arm().unwrap();
+        rig.session.set_target(&there).unwrap();
+        rig.drive(PATIENCE, |_| {
+            near(Some(&rig.joints_of_motors()), &there, 5e-3)
+        });
+        rig.session.disarm().unwrap();
+    }
+    // Others say that they have no such command.
+    let rig = Rig::new(Kind::Servo);
+    let refusal = rig.session.home(&[true; 6]).unwrap_err();
+    assert!(refusal.0.contains("find no switches"), "{refusal}");
+}
+
+/// Dialect C takes nothing after an emergency stop until that is released: arming asks for it.
+#[test]
+fn arming_releases_an_emergency_stop() {
+    let rig = Rig::new(Kind::Ros);
+    rig.session.arm().unwrap();
+    let there = rig.towards(&rig.measured(), 0.3);
+    rig.session.set_target(&there).unwrap();
+    rig.served
+        .inject(pieper_link::simulator::Fault::EmergencyStop);
+    let status = rig.drive(PATIENCE, |status| !status.phase.is_live());
+    assert!(status.sentence.unwrap().contains("emergency stop"));
+    rig.session.arm().unwrap();
+    rig.session.set_target(&there).unwrap();
+    rig.drive(PATIENCE, |_| {
+        near(Some(&rig.joints_of_motors()), &there, 5e-3)
+    });
+}

@@ -1,6 +1,7 @@
 //! `pieper link`
 
 mod connect;
+mod home;
 mod jog;
 mod line;
 mod list;
@@ -42,6 +43,8 @@ enum Link {
     Simulate(simulate::Arguments),
     /// Show where a real arm is, and move nothing
     Connect(connect::Arguments),
+    /// Have a controller find its limit switches, so that it knows where the arm is
+    Home(home::Arguments),
     /// Move one joint by a little
     Jog(jog::Arguments),
     /// Run a motion table on an arm
@@ -58,10 +61,25 @@ impl Arguments {
             Link::List(arguments) => arguments.run(),
             Link::Simulate(arguments) => arguments.run(),
             Link::Connect(arguments) => arguments.run(),
+            Link::Home(arguments) => arguments.run(),
             Link::Jog(arguments) => arguments.run(),
             Link::Send(arguments) => arguments.run(),
             Link::Map(arguments) => arguments.run(),
             Link::Log(arguments) => arguments.run(),
         }
     }
+}
+
+/// A joint by its name, or its number from 1.
+fn joint_of(arm: &pieper_link::Arm, name: &str) -> Result<usize, Failure> {
+    let named = (0..arm.dof()).find(|&index| arm.joint_name(index) == name);
+    let numbered = || {
+        let number: usize = name.parse().ok()?;
+        number.checked_sub(1).filter(|&index| index < arm.dof())
+    };
+    named.or_else(numbered).ok_or_else(|| {
+        let names: Vec<_> = (0..arm.dof()).map(|index| arm.joint_name(index)).collect();
+        let names = names.join(", ");
+        Failure::input(format!("joint {name}: one of {names} was expected"))
+    })
 }

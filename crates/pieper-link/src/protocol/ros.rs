@@ -59,6 +59,30 @@ enum Owed {
     Greeting,
     Taken,
     Position,
+    /// `RE`: whether the emergency stop is released.
+    Released,
+    /// `JC`: the search for the switches.
+    Switches,
+}
+
+/// How long it may take to find the switches.
+const HOMING: Duration = Duration::from_secs(180);
+
+/// The calibration command: all these joints together, as the firmware's first kind of sequence has it. A joint may be named twice, so that
+/// six digits choose fewer.
+///
+/// ```
+/// use pieper_link::protocol::ros;
+/// assert_eq!(ros::calibration(&[true; 6]).as_deref(), Some("JC0012345"));
+/// assert_eq!(ros::calibration(&[false, true, false, false, true, false]).as_deref(), Some("JC0144444"));
+/// assert_eq!(ros::calibration(&[false; 6]), None);
+/// ```
+pub fn calibration(joints: &[bool; JOINTS]) -> Option<String> {
+    let chosen: Vec<usize> = (0..JOINTS).filter(|&joint| joints[joint]).collect();
+    let last = *chosen.last()?;
+    let digits = chosen.iter().copied().chain(std::iter::repeat(last));
+    let digits: String = digits.take(JOINTS).map(|joint| joint.to_string()).collect();
+    Some(format!("JC0{digits}"))
 }
 
 /// A conversation with that firmware.
@@ -67,6 +91,10 @@ pub struct RosHost {
     owed: Option<(Owed, Duration)>,
     spoken: Duration,
     is_greeted: bool,
+    /// The emergency stop was told: it has to be released before anything moves.
+    is_stopped: bool,
+    /// The calibration command that goes out as soon as nothing is owed.
+    homes: Option<String>,
     measured: Vec<f64>,
     has_measured: bool,
     is_armed: bool,
@@ -81,6 +109,8 @@ impl RosHost {
             owed: None,
             spoken: Duration::ZERO,
             is_greeted: false,
+            is_stopped: false,
+            homes: None,
             measured: vec![0.0; JOINTS],
             has_measured: false,
             is_armed: false,
@@ -101,6 +131,9 @@ impl RosHost {
         }
         if let Some(error) = line.strip_prefix("ER:") {
             self.is_armed = false;
+            if let Some((Owed::Switches, _)) = self.owed {
+                self.owed = None;
+            }
             return events.push(Event::Fault(format!(
                 "the controller stopped: {}",
                 error.trim()
@@ -119,9 +152,14 @@ impl RosHost {
                 self.latency = Some(now.saturating_sub(since));
                 if rest.trim() != "0" {
                     self.is_armed = false;
+                    self.is_stopped = true;
                     events.push(Event::Fault("the emergency stop is pressed".to_owned()));
                 }
             }),
+            Owed::Released => line
+                .strip_prefix("ES")
+                .map(|rest| self.released(rest.trim() == "0", events)),
+            Owed::Switches => line.strip_prefix("JC").map(|_| ()),
             Owed::Position => line.strip_prefix("JP").and_then(read).map(|degrees| {
                 for (place, degrees) in self.measured.iter_mut().zip(degrees) {
                     *place = degrees.to_radians();
@@ -136,6 +174,15 @@ impl RosHost {
                 "no reply of this firmware: {line:.60}"
             ))),
         }
+    }
+
+    fn released(&mut self, is_so: bool, events: &mut Vec<Event>) {
+        self.is_stopped = !is_so;
+        self.is_armed = is_so;
+        events.push(match is_so {
+            true => Event::Armed,
+            false => Event::Fault("the emergency stop is still pressed".to_owned()),
+        });
     }
 
     /// `A<version ok>B<version>C<model ok>D<model>`
@@ -171,11 +218,18 @@ impl Host for RosHost {
 
     fn poll(&mut self, now: Duration, out: &mut Vec<u8>, events: &mut Vec<Event>) {
         if let Some((owed, since)) = self.owed {
-            if now.saturating_sub(since) > ANSWER {
+            let patience = match owed {
+                Owed::Switches => HOMING,
+                _ => ANSWER,
+            };
+            if now.saturating_sub(since) > patience {
                 self.owed = None;
                 if self.is_armed {
                     self.is_armed = false;
                     let text = "the controller did not answer for half a second: is the cable in?";
+                    events.push(Event::Fault(text.to_owned()));
+                } else if owed == Owed::Switches {
+                    let text = "no answer to the search for the switches for three minutes";
                     events.push(Event::Fault(text.to_owned()));
                 } else if owed != Owed::Greeting {
                     // It may have been reset: it must be greeted before anything else.
@@ -187,6 +241,8 @@ impl Host for RosHost {
         if !self.is_greeted {
             let line = format!("STA{VERSION}Bmk1");
             self.say(now, &line, Owed::Greeting, out);
+        } else if let Some(line) = self.homes.take() {
+            self.say(now, &line, Owed::Switches, out);
         } else if !self.has_measured || now.saturating_sub(self.spoken) >= QUESTIONS {
             self.say(now, "JP", Owed::Position, out);
         }
@@ -205,7 +261,10 @@ impl Host for RosHost {
         self.has_measured.then_some(&self.measured)
     }
 
-    fn arm(&mut self, _: Duration, _: &mut Vec<u8>, events: &mut Vec<Event>) {
+    fn arm(&mut self, now: Duration, out: &mut Vec<u8>, events: &mut Vec<Event>) {
+        if self.is_stopped {
+            return self.say(now, "RE", Owed::Released, out);
+        }
         // Whoever sends a target moves it: the firmware knows no arming.
         self.is_armed = true;
         events.push(Event::Armed);
@@ -223,6 +282,20 @@ impl Host for RosHost {
         self.say(now, &write("MT", &degrees), Owed::Taken, out);
         // The next question is for the position, at once after the answer.
         self.spoken = now.saturating_sub(QUESTIONS);
+    }
+
+    fn home(&mut self, motors: &[bool]) -> Result<(), String> {
+        let mut joints = [false; JOINTS];
+        for (joint, homes) in joints.iter_mut().zip(motors) {
+            *joint = *homes;
+        }
+        let line = calibration(&joints).ok_or("a joint to home was expected")?;
+        self.homes = Some(line);
+        Ok(())
+    }
+
+    fn is_homing(&self) -> bool {
+        self.homes.is_some() || matches!(self.owed, Some((Owed::Switches, _)))
     }
 
     fn stop(&mut self, _: Duration, _: &mut Vec<u8>) {

@@ -19,6 +19,7 @@ pub(super) enum Ask {
     Share(f64, Sender<Result<(), Refusal>>),
     Target(Vec<f64>, Sender<Result<(), Refusal>>),
     Play(Law, Sender<Result<(), Refusal>>),
+    Home(Vec<bool>, Sender<Result<(), Refusal>>),
     Disarm(Sender<Result<(), Refusal>>),
     /// With the time at which it was said, so that waiting in line does not make it younger.
     Beat(Duration),
@@ -149,7 +150,12 @@ impl Worker {
             match ask {
                 Ask::Beat(at) => self.guard.beat(at),
                 Ask::Arm(answer) => {
-                    let allowed = self.guard.arm_if_allowed(now, self.host.patience());
+                    let allowed = match self.host.is_homing() {
+                        true => Err(Refusal(
+                            "the controller is looking for its switches: wait for it".to_owned(),
+                        )),
+                        false => self.guard.arm_if_allowed(now, self.host.patience()),
+                    };
                     if allowed.is_ok() {
                         self.status.sentence = None;
                         self.lag = [0.0; 2];
@@ -173,6 +179,12 @@ impl Worker {
                     self.show();
                     let _ = answer.send(allowed);
                 }
+                Ask::Home(joints, answer) => {
+                    self.note(|| format!("asked to find the switches of {joints:?}"));
+                    let allowed = self.home(&joints);
+                    self.show();
+                    let _ = answer.send(allowed);
+                }
                 Ask::Disarm(answer) => {
                     if self.guard.phase().is_live() {
                         self.host.disarm(now, &mut self.out);
@@ -185,6 +197,24 @@ impl Worker {
                 }
             }
         }
+    }
+
+    /// The controller looks for its switches. It moves by its own rules meanwhile, so nothing else may be under way.
+    fn home(&mut self, joints: &[bool]) -> Result<(), Refusal> {
+        match self.guard.phase() {
+            Phase::Watching | Phase::Stopped => {}
+            _ => {
+                return Err(Refusal(
+                    "homing begins where the arm is connected and not armed".to_owned(),
+                ));
+            }
+        }
+        if !joints.contains(&true) || joints.len() != self.guard.arm().dof() {
+            return Err(Refusal("a joint to home was expected".to_owned()));
+        }
+        self.guard.disarm();
+        self.status.sentence = None;
+        self.host.home(joints).map_err(Refusal)
     }
 
     /// Takes up what the controller said; whether it told where it is.
@@ -369,13 +399,19 @@ impl Worker {
             (Some(to), Some(from)) => to.copy_from_slice(from),
             (_, from) => *to = from.map(<[f64]>::to_vec),
         };
-        status.phase = self.guard.phase();
+        // The last of several moves is sent, and not yet made.
+        status.phase = match self.guard.phase() {
+            Phase::Holding if self.host.is_moving() => Phase::Moving,
+            phase => phase,
+        };
+        status.is_homing = self.host.is_homing();
         status.latency = self.host.latency();
         status.progress = self.guard.progress();
         copy(&mut status.measured, self.guard.measured());
         copy(&mut status.commanded, self.guard.commanded());
         let mut shown = self.shared.status();
         shown.phase = status.phase;
+        shown.is_homing = status.is_homing;
         shown.latency = status.latency;
         shown.lag = status.lag;
         shown.error = status.error;

@@ -18,7 +18,12 @@ struct UnderWay {
     since: Duration,
     time: Duration,
     was_slower: bool,
+    /// The axes whose count is right again at the end.
+    homes: [bool; AXES],
 }
+
+/// Axes find their switches at this share of their largest rates, as the firmware has it.
+const HOMING: f64 = 0.5;
 
 pub(super) struct Ar4Device {
     plant: Plant,
@@ -59,6 +64,7 @@ impl Ar4Device {
         match command {
             Command::Position => Some(self.position(false)),
             Command::Joints(to) => self.start(now, to),
+            Command::Home(axes) => self.home(now, *axes),
         }
     }
 
@@ -94,6 +100,36 @@ impl Ar4Device {
             since: now,
             time: Duration::from_secs_f64(time.min(3600.0)),
             was_slower: needed > to.seconds + 1e-3,
+            homes: [false; AXES],
+        });
+        None
+    }
+
+    /// To the lower ends, where the switches are taken to be, and back to where the arm starts.
+    fn home(&mut self, now: Duration, axes: [bool; AXES]) -> Option<Reply> {
+        if self.plant.is_stopped() {
+            return Some(self.position(false));
+        }
+        let motors = self.plant.motors();
+        if let Some(axis) = (motors.len()..AXES).find(|&axis| axes[axis]) {
+            let axis = char::from_digit(axis as u32 + 1, 10)?;
+            return Some(Reply::Refused(Refusal::Switch(axis)));
+        }
+        let from = self.plant.place().to_vec();
+        let mut to = from.clone();
+        let mut seconds = 0.0_f64;
+        for (axis, motor) in motors.iter().enumerate().filter(|(axis, _)| axes[*axis]) {
+            to[axis] = motor.start;
+            let way = (from[axis] - motor.range[0]) + (motor.start - motor.range[0]);
+            seconds = seconds.max(way / (motor.rate * HOMING));
+        }
+        self.move_now = Some(UnderWay {
+            from,
+            to,
+            since: now,
+            time: Duration::from_secs_f64(seconds.min(3600.0)),
+            was_slower: false,
+            homes: axes,
         });
         None
     }
@@ -102,6 +138,16 @@ impl Ar4Device {
     fn answer(&mut self, now: Duration, line: &str) -> Option<String> {
         let command = Command::read(line)?;
         self.obey(now, &command).map(|reply| reply.write())
+    }
+}
+
+/// Where a joint is on its way over its switch, after this share of the time.
+fn by_switch(from: f64, to: f64, switch: f64, share: f64) -> f64 {
+    let (there, back) = (from - switch, to - switch);
+    let way = (there + back) * share;
+    match way < there {
+        true => from - way,
+        false => switch + (way - there),
     }
 }
 
@@ -125,11 +171,19 @@ impl Device for Ar4Device {
         };
         let (from, to) = (under_way.from.clone(), under_way.to.clone());
         let was_slower = under_way.was_slower;
+        let under_way_homes = under_way.homes;
         for (axis, (from, to)) in from.iter().zip(&to).enumerate() {
-            self.plant.put(axis, from + (to - from) * share);
+            let place = match under_way_homes[axis] {
+                true => by_switch(*from, *to, self.plant.motors()[axis].range[0], share),
+                false => from + (to - from) * share,
+            };
+            self.plant.put(axis, place);
         }
         if share >= 1.0 || self.plant.is_stopped() {
             self.move_now = None;
+            for axis in (0..self.plant.motors().len()).filter(|&axis| under_way_homes[axis]) {
+                self.plant.find(axis);
+            }
             let reply = self.position(was_slower);
             say(&reply.write(), out);
         }

@@ -151,6 +151,12 @@ impl Plant {
         }
     }
 
+    /// The motor is at its switch: count and place agree from now on.
+    pub(super) fn find(&mut self, motor: usize) {
+        self.place[motor] += self.lost[motor];
+        self.lost[motor] = 0.0;
+    }
+
     /// Suffers a fault that is the motors': the emergency stop, or this much lost.
     pub(super) fn suffer(&mut self, fault: Fault, lost: f64) {
         match fault {

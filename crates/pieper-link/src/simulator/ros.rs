@@ -50,6 +50,17 @@ impl RosDevice {
             }
             return Some(stopped);
         }
+        if let Some(rest) = line.strip_prefix("JC") {
+            // It is there at once: the original says nothing while it looks for its switches.
+            let digits = rest.strip_prefix(['0', '1', '2', '3'])?;
+            for joint in digits.chars() {
+                let joint = joint.to_digit(10)? as usize;
+                let start = self.plant.motors().get(joint)?.start;
+                self.plant.find(joint);
+                self.plant.put(joint, start);
+            }
+            return Some(write("JC", &[0.0; JOINTS]));
+        }
         match line {
             "JP" => {
                 let mut degrees = [0.0; JOINTS];

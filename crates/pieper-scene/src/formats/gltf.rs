@@ -82,6 +82,9 @@ fn accessors_are_inside(document: &Document) -> Result<(), String> {
     }
     for accessor in document.accessors() {
         let index = accessor.index();
+        if accessor.count() == 0 {
+            return Err(format!("accessor {index} is empty"));
+        }
         if accessor.sparse().is_some() {
             return Err(format!("accessor {index} is sparse, which is not read"));
         }
@@ -92,7 +95,7 @@ fn accessors_are_inside(document: &Document) -> Result<(), String> {
         if stride < accessor.size() {
             return Err(format!("accessor {index}'s numbers overlap in their view"));
         }
-        let gaps = accessor.count().saturating_sub(1).checked_mul(stride);
+        let gaps = (accessor.count() - 1).checked_mul(stride);
         let size = gaps.and_then(|gaps| gaps.checked_add(accessor.size()));
         let end = size.and_then(|size| size.checked_add(accessor.offset()));
         if end.is_none_or(|end| end > view.length()) {

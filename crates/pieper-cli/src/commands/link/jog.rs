@@ -47,7 +47,7 @@ impl Arguments {
         let by = self.by()?;
         let connected = self.line.connect(self.speed)?;
         let (session, arm) = (&connected.session, &connected.arm);
-        let joint = self.joint_of(arm)?;
+        let joint = super::joint_of(arm, &self.joint)?;
         let mut q = session.status().measured.unwrap_or_default();
         let from = q[joint];
         q[joint] += by;
@@ -96,21 +96,5 @@ impl Arguments {
 
     fn by(&self) -> Result<f64, Failure> {
         expr::typed(&self.by).map_err(|error| Failure::input(format!("BY = {error}")))
-    }
-
-    fn joint_of(&self, arm: &pieper_link::Arm) -> Result<usize, Failure> {
-        let named = (0..arm.dof()).find(|&index| arm.joint_name(index) == self.joint);
-        let numbered = || {
-            let number: usize = self.joint.parse().ok()?;
-            number.checked_sub(1).filter(|&index| index < arm.dof())
-        };
-        named.or_else(numbered).ok_or_else(|| {
-            let names: Vec<_> = (0..arm.dof()).map(|index| arm.joint_name(index)).collect();
-            Failure::input(format!(
-                "JOINT = {}: one of {} was expected",
-                self.joint,
-                names.join(", ")
-            ))
-        })
     }
 }

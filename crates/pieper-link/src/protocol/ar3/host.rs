@@ -149,6 +149,10 @@ impl Host for Ar3Host {
         self.is_armed && self.owed.is_none()
     }
 
+    fn is_moving(&self) -> bool {
+        matches!(self.owed, Some((_, true)))
+    }
+
     fn set_point(&mut self, now: Duration, motors: &[f64], over: Duration, out: &mut Vec<u8>) {
         let mut by = [0; JOINTS];
         for (joint, angle) in motors.iter().enumerate().take(JOINTS) {

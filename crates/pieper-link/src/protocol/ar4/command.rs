@@ -18,6 +18,8 @@ pub struct Move {
 pub enum Command {
     /// `RP`: where are you?
     Position,
+    /// `LL`: drive these of J1 to J9 to their switches.
+    Home([bool; AXES]),
     /// `RJ`: go there, every joint on its own way, all together.
     Joints(Move),
 }
@@ -31,6 +33,17 @@ impl Command {
         // Writing to a vector cannot fail.
         let _ = match self {
             Self::Position => writeln!(out, "RP"),
+            Self::Home(axes) => {
+                // The letters go on: A to I choose axes, J to R are offsets, which are the robot's own settings.
+                out.extend_from_slice(b"LL");
+                for (letter, homes) in (b'A'..).zip(axes) {
+                    out.extend_from_slice(&[letter, if *homes { b'1' } else { b'0' }]);
+                }
+                for letter in (b'A' + AXES as u8..).take(AXES) {
+                    out.extend_from_slice(&[letter, b'0']);
+                }
+                writeln!(out)
+            }
             Self::Joints(to) => {
                 out.extend_from_slice(b"RJ");
                 for (axis, (tag, value)) in JOINT_TAGS.iter().zip(to.joints).enumerate() {
@@ -58,6 +71,9 @@ impl Command {
         if line == "RP" {
             return Some(Self::Position);
         }
+        if let Some(rest) = line.strip_prefix("LL") {
+            return home(rest).map(Self::Home);
+        }
         let mut rest = line.strip_prefix("RJ")?;
         let mut joints = [0.0; AXES];
         for (tag, joint) in JOINT_TAGS.iter().zip(&mut joints) {
@@ -73,6 +89,28 @@ impl Command {
         let seconds = number(seconds).filter(|&seconds| seconds >= 0.0)?;
         Some(Self::Joints(Move { joints, seconds }))
     }
+}
+
+/// What follows `LL`: nine axes, nine offsets.
+fn home(mut rest: &str) -> Option<[bool; AXES]> {
+    let mut axes = [false; AXES];
+    for (letter, axis) in ('A'..).zip(&mut axes) {
+        let flag = rest.strip_prefix(letter)?;
+        *axis = match flag.get(..1)? {
+            "0" => false,
+            "1" => true,
+            _ => return None,
+        };
+        rest = &flag[1..];
+    }
+    for letter in ('A'..).skip(AXES).take(AXES) {
+        rest = rest.strip_prefix(letter)?;
+        let next = rest.find(|c: char| c.is_ascii_uppercase());
+        let (offset, after) = rest.split_at(next.unwrap_or(rest.len()));
+        number(offset)?;
+        rest = after;
+    }
+    rest.is_empty().then_some(axes)
 }
 
 /// A finite decimal number.

@@ -17,12 +17,32 @@ const ANSWER: Duration = Duration::from_secs(3);
 /// The longest move, so that a stop takes effect soon: the firmware ends the move it is in.
 const MOVE: Duration = Duration::from_millis(500);
 
+/// How long it may take to find the switches: each joint's whole way, twice, at the firmware's rates.
+const HOMING: Duration = Duration::from_secs(180);
+
 /// What the controller owes us.
 #[derive(Clone, Copy, Debug)]
 struct Owed {
     since: Duration,
     until: Duration,
-    is_move: bool,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum What {
+    Answer,
+    Move,
+    Switches,
+}
+
+impl What {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Answer => "a question",
+            Self::Move => "a move",
+            Self::Switches => "the search for its switches",
+        }
+    }
 }
 
 /// A conversation with an AR4.
@@ -30,6 +50,8 @@ pub struct Ar4Host {
     motors: Vec<MotorOf>,
     lines: Lines,
     owed: Option<Owed>,
+    /// Axes to be driven to their switches as soon as nothing is owed.
+    homes: Option<[bool; AXES]>,
     spoken: Duration,
     measured: Vec<f64>,
     is_identified: bool,
@@ -45,6 +67,7 @@ impl Ar4Host {
             motors: setup.motors,
             lines: Lines::default(),
             owed: None,
+            homes: None,
             spoken: Duration::ZERO,
             is_identified: false,
             is_armed: false,
@@ -58,7 +81,11 @@ impl Ar4Host {
         self.owed = Some(Owed {
             since: now,
             until: now + time + ANSWER,
-            is_move: matches!(command, Command::Joints(_)),
+            what: match command {
+                Command::Position => What::Answer,
+                Command::Joints(_) => What::Move,
+                Command::Home(_) => What::Switches,
+            },
         });
     }
 
@@ -107,13 +134,18 @@ impl Host for Ar4Host {
             Some(owed) if now > owed.until => {
                 self.owed = None;
                 self.is_armed = false;
-                let what = if owed.is_move { "a move" } else { "a question" };
+                let what = owed.what.name();
                 let waited = (now - owed.since).as_secs_f64();
                 events.push(Event::Fault(format!(
                     "no answer to {what} for {waited:.1} s: is the controller on, and is this its port?"
                 )));
             }
             Some(_) => {}
+            None if self.homes.is_some() => {
+                if let Some(axes) = self.homes.take() {
+                    self.say(now, Command::Home(axes), HOMING, out);
+                }
+            }
             None if now.saturating_sub(self.spoken) >= QUESTIONS || self.spoken.is_zero() => {
                 self.say(
                     now.max(Duration::from_nanos(1)),
@@ -132,7 +164,7 @@ impl Host for Ar4Host {
             Ok(line) => match Reply::read(line) {
                 Some(reply) => {
                     let owed = self.owed.take();
-                    if let Some(owed) = owed.filter(|owed| !owed.is_move) {
+                    if let Some(owed) = owed.filter(|owed| owed.what == What::Answer) {
                         self.latency = Some(now.saturating_sub(owed.since));
                     }
                     match reply {
@@ -164,6 +196,10 @@ impl Host for Ar4Host {
         self.is_armed && self.owed.is_none()
     }
 
+    fn is_moving(&self) -> bool {
+        self.owed.is_some_and(|owed| owed.what == What::Move)
+    }
+
     fn set_point(&mut self, now: Duration, motors: &[f64], over: Duration, out: &mut Vec<u8>) {
         let mut joints = [0.0; AXES];
         for ((place, motor), value) in joints.iter_mut().zip(&self.motors).zip(motors) {
@@ -174,6 +210,20 @@ impl Host for Ar4Host {
         }
         let seconds = over.as_secs_f64();
         self.say(now, Command::Joints(Move { joints, seconds }), over, out);
+    }
+
+    fn home(&mut self, motors: &[bool]) -> Result<(), String> {
+        let mut axes = [false; AXES];
+        for (axis, homes) in axes.iter_mut().zip(motors) {
+            *axis = *homes;
+        }
+        self.homes = Some(axes);
+        Ok(())
+    }
+
+    fn is_homing(&self) -> bool {
+        let searches = |owed: Owed| owed.what == What::Switches;
+        self.homes.is_some() || self.owed.is_some_and(searches)
     }
 
     fn stop(&mut self, _: Duration, _: &mut Vec<u8>) {

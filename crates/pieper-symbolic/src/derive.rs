@@ -7,9 +7,9 @@ use crate::arm::Arm;
 use crate::basis::{self, Basis};
 use crate::determinant::{Determinant, determinant};
 use crate::form::{self, Form};
-use crate::inverse;
+use crate::inverse::{self, OneUnknown};
 use crate::jacobian;
-use crate::names::{AngleMeaning, SymbolMeaning, VarKind};
+use crate::names::{AngleMeaning, Names, SymbolMeaning, VarKind};
 use crate::number;
 use crate::poly::Poly;
 use crate::sheet::{Block, Inline, Sheet, fits, words};
@@ -57,13 +57,12 @@ pub fn sheet(arm: &Arm, scope: Scope) -> Result<Sheet> {
             "forward kinematics"
         }
         Scope::Inverse => {
-            let inverse = inverse::derive(arm)?;
+            let (steps, names) = inverse_steps(arm)?;
             writer.table();
-            let blocks = [writer.blocks, inverse::write(&inverse)].concat();
             return Ok(Sheet {
                 title: format!("{}: inverse kinematics", arm.title),
-                names: inverse.names,
-                blocks,
+                names,
+                blocks: [writer.blocks, steps].concat(),
             });
         }
     };
@@ -73,6 +72,19 @@ pub fn sheet(arm: &Arm, scope: Scope) -> Result<Sheet> {
         names: arm.names.clone(),
         blocks,
     })
+}
+
+/// The closed form, or else the equation with one unknown.
+fn inverse_steps(arm: &Arm) -> Result<(Vec<Block>, Names)> {
+    let closed = match inverse::derive(arm) {
+        Ok(inverse) => return Ok((inverse::write(&inverse), inverse.names)),
+        Err(error) => error,
+    };
+    match OneUnknown::derive(arm) {
+        Ok(found) => Ok((inverse::write_one_unknown(&found), found.inverse.names)),
+        // Why there is no closed form says more than why this fails too.
+        Err(_) => Err(closed),
+    }
 }
 
 pub(crate) struct Writer<'a> {

@@ -2,7 +2,7 @@
 
 use pieper::{Error, Result};
 
-use super::{Defined, Inverse, Rule, Source, Step, without_base_and_tool};
+use super::{Defined, Inverse, OneUnknown, Rule, Source, Step, without_base_and_tool};
 use crate::arm::Arm;
 use crate::basis;
 use crate::names::{Names, SymbolMeaning, Var};
@@ -24,6 +24,10 @@ struct Search<'a> {
     point: Option<[Poly; 3]>,
     /// One joint vector with a value for every symbol: an equation that says nothing there says nothing anywhere.
     probe: Probe,
+    target: [[Var; 4]; 3],
+    /// Whether equations without an unknown are noted, and those noted: after how many steps.
+    collects: bool,
+    conditions: Vec<(usize, Source, Poly)>,
 }
 
 struct Probe {
@@ -47,72 +51,171 @@ struct Equation {
 
 const LEVELS: [&str; 8] = ["u", "v", "w", "m", "g", "h", "y", "z"];
 
+/// All joints, each by an equation with one unknown.
 pub(super) fn run(arm: &Arm) -> Result<Inverse> {
-    let mut names = arm.names.clone();
-    let full = || {
-        Error::model(
-            arm.title.clone(),
-            "it has more symbols than formulas have room for",
-        )
-    };
-    let mut target = [[Var::ROOT2; 4]; 3];
-    for (row, axis) in ["x", "y", "z"].iter().enumerate() {
-        for (column, vector) in ["n", "s", "a", "p"].iter().enumerate() {
-            let name = format!("{vector}_{axis}");
-            if names.find_symbol(&name).is_some() {
-                return Err(Error::model(
-                    name,
-                    "a table's symbol has the name of an entry of the target",
-                ));
-            }
-            target[row][column] = names
-                .symbol(&name, SymbolMeaning::Auxiliary)
-                .ok_or_else(full)?;
-        }
-    }
-    let given = Transform(target.map(|row| row.map(Poly::var)));
-    let probe = Probe::new(arm, &names, &target)?;
-    let mut search = Search {
-        arm,
-        names,
-        known: given.clone(),
-        first: 0,
-        end: arm.dof(),
-        solved: vec![false; arm.dof()],
-        steps: Vec::new(),
-        level: 0,
-        point: None,
-        probe,
-    };
-    if arm.base.is_some() || arm.tool.is_some() {
-        search.known = without_base_and_tool(arm, &given);
-        search.define()?;
-    } else {
-        search.define_point("w")?;
-    }
-    while search.solved.contains(&false) {
-        let Some(best) = search.best() else {
-            return Err(search.stuck());
-        };
-        search.solved[best.joint] = true;
-        search.steps.push(Step::Joint {
-            joint: best.joint,
-            rule: best.rule,
-            source: best.source,
-        });
-        search.peel()?;
-    }
-    let mut inverse = Inverse {
-        arm: arm.clone(),
-        names: search.names,
-        target,
-        steps: search.steps,
-    };
-    drop_unused(&mut inverse.steps);
+    let mut search = Search::begin(arm)?;
+    search.all()?;
+    let mut inverse = search.finish();
+    drop_unused(&mut inverse.steps, Vec::new(), 0);
     Ok(inverse)
 }
 
-impl Search<'_> {
+/// All joints but one, as if that were known; and what is left to say about it.
+pub(super) fn run_assuming(arm: &Arm, joint: usize) -> Result<OneUnknown> {
+    let mut search = Search::begin(arm)?;
+    search.solved[joint] = true;
+    search.collects = true;
+    search.peel()?;
+    search.all()?;
+    let stuck = search.stuck();
+    let conditions = std::mem::take(&mut search.conditions);
+    let probe = search.probe.q.clone();
+    let inverse = search.finish();
+    let found = conditions.into_iter().filter_map(|(at, source, equation)| {
+        let mut found = OneUnknown {
+            joint,
+            inverse: inverse.clone(),
+            at,
+            equation,
+            source,
+        };
+        found.decides(&probe).then(|| {
+            let used = found.equation.vars();
+            found.at = drop_unused(&mut found.inverse.steps, used, found.at);
+            found
+        })
+    });
+    found.min_by_key(OneUnknown::size).ok_or(stuck)
+}
+
+impl<'a> Search<'a> {
+    fn begin(arm: &'a Arm) -> Result<Self> {
+        let mut names = arm.names.clone();
+        let full = || {
+            Error::model(
+                arm.title.clone(),
+                "it has more symbols than formulas have room for",
+            )
+        };
+        let mut target = [[Var::ROOT2; 4]; 3];
+        for (row, axis) in ["x", "y", "z"].iter().enumerate() {
+            for (column, vector) in ["n", "s", "a", "p"].iter().enumerate() {
+                let name = format!("{vector}_{axis}");
+                if names.find_symbol(&name).is_some() {
+                    return Err(Error::model(
+                        name,
+                        "a table's symbol has the name of an entry of the target",
+                    ));
+                }
+                target[row][column] = names
+                    .symbol(&name, SymbolMeaning::Auxiliary)
+                    .ok_or_else(full)?;
+            }
+        }
+        let given = Transform(target.map(|row| row.map(Poly::var)));
+        let probe = Probe::new(arm, &names, &target)?;
+        let mut search = Self {
+            arm,
+            names,
+            known: given.clone(),
+            target,
+            first: 0,
+            end: arm.dof(),
+            solved: vec![false; arm.dof()],
+            steps: Vec::new(),
+            level: 0,
+            point: None,
+            probe,
+            collects: false,
+            conditions: Vec::new(),
+        };
+        if arm.base.is_some() || arm.tool.is_some() {
+            search.known = without_base_and_tool(arm, &given);
+            search.define()?;
+        } else {
+            search.define_point("w")?;
+        }
+        Ok(search)
+    }
+
+    /// Solves all joints that are left.
+    fn all(&mut self) -> Result<()> {
+        while self.solved.contains(&false) {
+            self.collect();
+            let Some(best) = self.best() else {
+                return Err(self.stuck());
+            };
+            self.solved[best.joint] = true;
+            self.steps.push(Step::Joint {
+                joint: best.joint,
+                rule: best.rule,
+                source: best.source,
+            });
+            self.peel()?;
+        }
+        self.collect();
+        Ok(())
+    }
+
+    fn finish(self) -> Inverse {
+        Inverse {
+            arm: self.arm.clone(),
+            names: self.names,
+            target: self.target,
+            steps: self.steps,
+        }
+    }
+
+    /// Notes the equations without an unknown: some are true whatever the joint that is taken as known, and some only where it is right.
+    fn collect(&mut self) {
+        if !self.collects {
+            return;
+        }
+        let mut found = Vec::new();
+        for (source, known, product) in self.equations() {
+            for row in 0..3 {
+                for column in 0..4 {
+                    let poly = &known.0[row][column] - &product.0[row][column];
+                    if poly.vars().is_empty() || !self.unknowns(&poly).is_empty() {
+                        continue;
+                    }
+                    let entries = vec![(row, column)];
+                    found.push((
+                        Source {
+                            entries,
+                            ..source.clone()
+                        },
+                        poly,
+                    ));
+                }
+            }
+            for rows in [&[0, 1][..], &[0, 2], &[1, 2], &[0, 1, 2]] {
+                let square = |entry: &Poly| entry * entry;
+                let sum = |of: &Transform| {
+                    rows.iter()
+                        .fold(Poly::zero(), |sum, &row| sum + square(&of.0[row][3]))
+                };
+                let poly = sum(&known) - sum(&product);
+                if poly.vars().is_empty() || !self.unknowns(&poly).is_empty() {
+                    continue;
+                }
+                let entries = rows.iter().map(|&row| (row, 3)).collect();
+                let squares = true;
+                found.push((
+                    Source {
+                        entries,
+                        squares,
+                        ..source.clone()
+                    },
+                    poly,
+                ));
+            }
+        }
+        let at = self.steps.len();
+        self.conditions
+            .extend(found.into_iter().map(|(source, poly)| (at, source, poly)));
+    }
+
     fn stuck(&self) -> Error {
         let left: Vec<String> = (0..self.solved.len())
             .filter(|&joint| !self.solved[joint])
@@ -592,9 +695,8 @@ impl Rule {
     }
 }
 
-/// Leaves out what no later step uses.
-fn drop_unused(steps: &mut Vec<Step>) {
-    let mut used: Vec<Var> = Vec::new();
+/// Leaves out what no later step uses, and what is not used elsewhere; how many of the first `at` steps stay.
+fn drop_unused(steps: &mut Vec<Step>, mut used: Vec<Var>, at: usize) -> usize {
     for step in steps.iter_mut().rev() {
         match step {
             Step::Define { quantities, .. } => {
@@ -606,5 +708,9 @@ fn drop_unused(steps: &mut Vec<Step>) {
             }
         }
     }
-    steps.retain(|step| !matches!(step, Step::Define { quantities, .. } if quantities.is_empty()));
+    let stays =
+        |step: &Step| !matches!(step, Step::Define { quantities, .. } if quantities.is_empty());
+    let left = steps[..at].iter().filter(|step| stays(step)).count();
+    steps.retain(stays);
+    left
 }

@@ -1,6 +1,6 @@
 //! The closed-form inverse as numbered steps for a reader.
 
-use super::{Defined, Inverse, Rule, Source, Step};
+use super::{Defined, Inverse, OneUnknown, Rule, Source, Step};
 use crate::basis;
 use crate::derive::{indexed, text};
 use crate::form::{self, Form};
@@ -14,29 +14,30 @@ pub(crate) fn write(inverse: &Inverse) -> Vec<Block> {
         inverse,
         blocks: Vec::new(),
     };
-    writer.given();
-    let mut number = 0;
-    for step in &inverse.steps {
-        number += 1;
-        match step {
-            Step::Define {
-                what: Defined::Known { first, end },
-                quantities,
-            } => writer.define(number, (*first, *end), quantities),
-            Step::Define {
-                what: Defined::Point { first, end },
-                quantities,
-            } => writer.point(number, (*first, *end), quantities),
-            Step::Joint {
-                joint,
-                rule,
-                source,
-            } => writer.joint(number, *joint, rule, source),
-        }
-    }
+    writer.given("a solution of its own");
+    writer.steps(&inverse.steps, 0);
     writer.closing();
     writer.blocks
 }
+
+/// Writes the steps of which one joint is the beginning, and the equation for it.
+pub(crate) fn write_one_unknown(of: &OneUnknown) -> Vec<Block> {
+    let mut writer = Writer {
+        inverse: &of.inverse,
+        blocks: Vec::new(),
+    };
+    writer.given("a function of its own");
+    writer.assumption(of.joint);
+    let (before, after) = of.inverse.steps.split_at(of.at);
+    writer.steps(before, 1);
+    writer.equation(of);
+    writer.steps(after, before.len() + 2);
+    writer.closing();
+    writer.blocks
+}
+
+/// Arguments of more letters than this together are written on lines of their own.
+const LONG: usize = 80;
 
 struct Writer<'a> {
     inverse: &'a Inverse,
@@ -44,6 +45,58 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
+    /// Steps, the first of which has the number behind `before`.
+    fn steps(&mut self, steps: &[Step], before: usize) {
+        let writer = self;
+        for (index, step) in steps.iter().enumerate() {
+            let number = before + index + 1;
+            match step {
+                Step::Define {
+                    what: Defined::Known { first, end },
+                    quantities,
+                } => writer.define(number, (*first, *end), quantities),
+                Step::Define {
+                    what: Defined::Point { first, end },
+                    quantities,
+                } => writer.point(number, (*first, *end), quantities),
+                Step::Joint {
+                    joint,
+                    rule,
+                    source,
+                } => writer.joint(number, *joint, rule, source),
+            }
+        }
+    }
+
+    fn assumption(&mut self, joint: usize) {
+        let q = Form::Joint(joint);
+        self.heading(2, format!("Step 1: q{} as if it were known", joint + 1));
+        self.say(vec![
+            text("No equation has a single unknown here. With "),
+            Inline::Math(q.clone()),
+            text(" taken as known the other joints follow one by one, and an equation is left over that only the right values of "),
+            Inline::Math(q),
+            text(" satisfy. The steps up to it are a function to be computed for a value from -pi to pi, once for each combination of signs."),
+        ]);
+    }
+
+    fn equation(&mut self, of: &OneUnknown) {
+        let q = Form::Joint(of.joint);
+        self.heading(
+            2,
+            format!("Step {}: the equation for q{}", of.at + 2, of.joint + 1),
+        );
+        let sentence = self.source(&of.source);
+        self.say(sentence);
+        let left = self.form(&of.equation);
+        self.blocks.push(Block::Equation(left, Form::whole(0)));
+        self.say(vec![
+            text("Every root counts: look for changes of sign on a fine grid and refine them by bisection or Newton's steps; where two roots lie close together the left side touches zero without a change of sign. `pieper ik` finds all of them by elimination. With a root for "),
+            Inline::Math(q),
+            text(" the remaining steps are in closed form:"),
+        ]);
+    }
+
     fn heading(&mut self, level: u8, text: String) {
         self.blocks.push(Block::Heading(level, text));
     }
@@ -59,7 +112,7 @@ impl Writer<'_> {
         )
     }
 
-    fn given(&mut self) {
+    fn given(&mut self, of_signs: &str) {
         self.heading(1, "What is given".to_owned());
         let mut rows: Vec<Vec<Form>> = self
             .inverse
@@ -81,7 +134,7 @@ impl Writer<'_> {
         });
         let count = 1_usize << branches.count();
         self.say(words(format!(
-            "The pose the tool is to take. Below, K is what is known of the product of the rows that are left: T at first. Every +- is a branch; each combination of signs is a solution of its own, {count} at \
+            "The pose the tool is to take. Below, K is what is known of the product of the rows that are left: T at first. Every +- is a branch; each combination of signs is {of_signs}, {count} at \
              most. Angles are meant in (-pi, pi]."
         )));
         self.heading(1, "The steps".to_owned());
@@ -193,7 +246,19 @@ impl Writer<'_> {
                 sine_square,
             } => self.two(joint, [a, b, k], sine_square.as_ref()),
             Rule::One { sin, cos } => {
-                let arguments = vec![self.form(sin), self.form(cos)];
+                let width = |poly: &Poly| {
+                    let form = self.form(poly);
+                    crate::print::text(&form, &self.inverse.names)
+                        .chars()
+                        .count()
+                };
+                let most = match width(sin) + width(cos) > LONG {
+                    true => 1,
+                    false => usize::MAX,
+                };
+                let arguments = [("Y", sin), ("X", cos)]
+                    .map(|(name, poly)| self.named(name, joint, poly, most))
+                    .to_vec();
                 self.blocks
                     .push(Block::Equation(q.clone(), Form::Call("atan2", arguments)));
                 let may_vanish = sin.constant().is_none() && cos.constant().is_none();
@@ -228,6 +293,17 @@ impl Writer<'_> {
         }
     }
 
+    /// A polynomial, by a name of its own where it has more than so many terms.
+    fn named(&mut self, name: &str, joint: usize, poly: &Poly, most: usize) -> Form {
+        if poly.terms().len() <= most {
+            return self.form(poly);
+        }
+        let name = Form::Name(format!("{name}_{}", joint + 1));
+        let right = self.form(poly);
+        self.blocks.push(Block::Equation(name.clone(), right));
+        name
+    }
+
     fn two(&mut self, joint: usize, [a, b, k]: [&Poly; 3], sine_square: Option<&Poly>) {
         let q = Form::Joint(joint);
         let angle = self.inverse.arm.joint_angle(joint);
@@ -255,20 +331,10 @@ impl Writer<'_> {
         if b.is_zero() && a.terms().len() == 1 {
             return self.cosine(q, cos, a, k);
         }
-        let index = joint + 1;
-        let named = |writer: &mut Self, name: &str, poly: &Poly| match poly.terms().len() {
-            0 | 1 => writer.form(poly),
-            _ => {
-                let name = Form::Name(format!("{name}_{index}"));
-                let right = writer.form(poly);
-                writer.blocks.push(Block::Equation(name.clone(), right));
-                name
-            }
-        };
         let (x, y, w) = (
-            named(self, "X", a),
-            named(self, "Y", b),
-            named(self, "W", k),
+            self.named("X", joint, a, 1),
+            self.named("Y", joint, b, 1),
+            self.named("W", joint, k, 1),
         );
         let term = |factor: &Form, of: Form| match factor {
             Form::Number(value) if *value == crate::number::whole(1) => of,

@@ -2,7 +2,7 @@
 
 use pieper::spatial::Pose;
 
-use super::{Inverse, Rule, Step};
+use super::{Inverse, OneUnknown, Rule, Step};
 use crate::names::{SymbolMeaning, Var, VarKind};
 use crate::number;
 use crate::poly::Poly;
@@ -17,21 +17,49 @@ pub(crate) const FREE: f64 = 1e-12;
 ///
 /// Symbols have the values of the arm's table. A joint that the pose leaves free gets `free`.
 pub fn solve(inverse: &Inverse, pose: &Pose, free: f64) -> Vec<Vec<f64>> {
-    let mut state = State {
-        inverse,
-        values: Vec::new(),
-        q: vec![0.0; inverse.arm.dof()],
-        free,
-        found: Vec::new(),
-    };
-    let matrix = pose.to_homogeneous();
-    for (row, vars) in inverse.target.iter().enumerate() {
-        for (column, var) in vars.iter().enumerate() {
-            state.values.push((*var, matrix[(row, column)]));
-        }
-    }
+    let mut state = State::new(inverse, &rows_of(pose), free);
     state.step(0);
     state.found
+}
+
+/// The first three rows of a pose's matrix.
+fn rows_of(pose: &Pose) -> [[f64; 4]; 3] {
+    let matrix = pose.to_homogeneous();
+    std::array::from_fn(|row| std::array::from_fn(|column| matrix[(row, column)]))
+}
+
+impl OneUnknown {
+    /// The joint vectors that the formulas give for a pose where the unknown joint has this value, each with what the equation leaves:
+    /// zero where it is right. Metres and radians; as [`solve`] otherwise.
+    pub fn at(&self, pose: &Pose, value: f64, free: f64) -> Vec<(Vec<f64>, f64)> {
+        self.of_rows(&rows_of(pose), value, free)
+    }
+
+    fn of_rows(&self, rows: &[[f64; 4]; 3], value: f64, free: f64) -> Vec<(Vec<f64>, f64)> {
+        let mut state = State::new(&self.inverse, rows, free);
+        state.q[self.joint] = value;
+        state.condition = Some((self.at, &self.equation));
+        state.step(0);
+        state.found.into_iter().zip(state.left).collect()
+    }
+
+    /// Whether the equation holds at the joint vector of a pose, and not beside it.
+    pub(super) fn decides(&self, q: &[f64]) -> bool {
+        let arm = &self.inverse.arm;
+        let rows = arm.pose_at(q, &|name| arm.parameter(name));
+        let right = |(found, left): &(Vec<f64>, f64)| {
+            let near = found
+                .iter()
+                .zip(q)
+                .all(|(a, b)| ((a - b) * 0.5).sin().abs() < 1e-7);
+            near && left.abs() < 1e-9
+        };
+        let at = |value: f64| self.of_rows(&rows, value, 0.0);
+        let here = q[self.joint];
+        let beside = [-0.3, -0.1, -0.02, 0.02, 0.1, 0.3];
+        let mut off = beside.iter().flat_map(|by| at(here + by)).peekable();
+        at(here).iter().any(right) && off.peek().is_some() && off.all(|(_, left)| left.abs() > 1e-9)
+    }
 }
 
 struct State<'a> {
@@ -40,9 +68,31 @@ struct State<'a> {
     q: Vec<f64>,
     free: f64,
     found: Vec<Vec<f64>>,
+    /// An equation to look at before a step, and what it leaves now and left for each that was found.
+    condition: Option<(usize, &'a Poly)>,
+    now: f64,
+    left: Vec<f64>,
 }
 
-impl State<'_> {
+impl<'a> State<'a> {
+    fn new(inverse: &'a Inverse, rows: &[[f64; 4]; 3], free: f64) -> Self {
+        let target = inverse.target.iter().enumerate();
+        let values = target.flat_map(|(row, vars)| {
+            let entries = vars.iter().enumerate();
+            entries.map(move |(column, var)| (*var, rows[row][column]))
+        });
+        Self {
+            inverse,
+            values: values.collect(),
+            q: vec![0.0; inverse.arm.dof()],
+            free,
+            found: Vec::new(),
+            condition: None,
+            now: 0.0,
+            left: Vec::new(),
+        }
+    }
+
     fn value(&self, poly: &Poly) -> f64 {
         let inverse = self.inverse;
         poly.evaluate(&0.0, |var| {
@@ -75,8 +125,12 @@ impl State<'_> {
 
     fn step(&mut self, index: usize) {
         let inverse = self.inverse;
+        if let Some((_, equation)) = self.condition.filter(|(at, _)| *at == index) {
+            self.now = self.value(equation);
+        }
         let Some(step) = inverse.steps.get(index) else {
             self.found.push(self.q.clone());
+            self.left.push(self.now);
             return;
         };
         match step {

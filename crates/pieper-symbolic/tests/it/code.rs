@@ -18,16 +18,20 @@ use crate::numbers::with_numbers;
 const POSES: usize = 10_000;
 
 /// A folder that goes when the test is over.
-struct Folder(PathBuf);
+pub(crate) struct Folder(PathBuf);
 
 impl Folder {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let path = std::env::temp_dir().join(format!("pieper-code-{}-{name}", std::process::id()));
         fs::create_dir_all(&path).unwrap();
         Self(path)
     }
 
-    fn write(&self, name: &str, text: &str) -> PathBuf {
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
+    pub(crate) fn write(&self, name: &str, text: &str) -> PathBuf {
         let path = self.0.join(name);
         fs::write(&path, text).unwrap();
         path
@@ -44,7 +48,7 @@ impl Drop for Folder {
     clippy::print_stderr,
     reason = "whoever runs the tests should know what was left out"
 )]
-fn is_missing(program: &str) -> bool {
+pub(crate) fn is_missing(program: &str) -> bool {
     let found = Command::new(program)
         .arg("--version")
         .stdout(Stdio::null())
@@ -52,12 +56,12 @@ fn is_missing(program: &str) -> bool {
         .status();
     let missing = !found.is_ok_and(|status| status.success());
     if missing {
-        eprintln!("not run: the generated code that needs {program}, which is not installed");
+        eprintln!("not run: what needs {program}, which is not installed");
     }
     missing
 }
 
-fn run(program: &str, arguments: &[&str], folder: &Path) -> String {
+pub(crate) fn run(program: &str, arguments: &[&str], folder: &Path) -> String {
     let output = Command::new(program)
         .args(arguments)
         .current_dir(folder)

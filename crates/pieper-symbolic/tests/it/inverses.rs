@@ -89,3 +89,45 @@ fn arms_without_a_closed_form_are_told_why() {
         );
     }
 }
+
+/// The equation with one unknown holds at every solution the library finds, the other joints follow from it, and beside the solutions it does
+/// not hold.
+#[test]
+fn one_unknown_holds_at_every_solution() {
+    let offset = include_str!("../../../../examples/ar3-offset-wrist.toml");
+    let offset = pieper::describe::Robot::from_toml("ar3-offset-wrist.toml", offset).unwrap();
+    let built_in = |id: &str| pieper_robots::find(id).unwrap().robot();
+    for robot in [offset, built_in("jaco2"), built_in("fanuc-crx10ia")] {
+        let id = robot.name.clone();
+        let chain = robot.chain().unwrap();
+        let arm = Arm::new(&robot, Lengths::Symbols).unwrap();
+        assert!(inverse::derive(&arm).is_err(), "{id} has a closed form");
+        let found = inverse::OneUnknown::derive(&arm).unwrap();
+        let solver = pieper::ik::Solver::new(&chain).unwrap();
+        let mut random = fastrand::Rng::with_seed(7);
+        let (mut solutions, mut beside) = (0, 0);
+        for _ in 0..100 {
+            let q: Vec<f64> = (0..arm.dof()).map(|_| 6.0 * random.f64() - 3.0).collect();
+            let pose = kinematics::tool_pose(&chain, &q).unwrap();
+            for solution in solver.solve(&pose).unwrap().iter() {
+                let is_it = |(other, left): &(Vec<f64>, f64)| {
+                    let near = other
+                        .iter()
+                        .zip(solution.q())
+                        .all(|(a, b)| ((a - b) * 0.5).sin().abs() < 1e-6);
+                    near && left.abs() < 1e-7
+                };
+                let branches = found.at(&pose, solution.q()[found.joint], 0.0);
+                assert!(branches.iter().any(is_it), "{id} at {:?}", solution.q());
+                solutions += 1;
+            }
+            for (_, left) in found.at(&pose, 6.0 * random.f64() - 3.0, 0.0) {
+                beside += usize::from(left.abs() > 1e-7);
+            }
+        }
+        assert!(
+            solutions >= 200 && beside >= 50,
+            "{id}: {solutions} {beside}"
+        );
+    }
+}

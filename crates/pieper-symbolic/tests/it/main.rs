@@ -7,3 +7,4 @@ mod claims;
 mod code;
 mod inverses;
 mod numbers;
+mod print;

@@ -1,7 +1,10 @@
 //! What an arm looks like.
 
+mod bars;
 mod described;
 mod procedural;
+
+pub use bars::Bars;
 
 use std::sync::Arc;
 

@@ -20,7 +20,7 @@ pub mod pick;
 
 pub mod outline;
 
-pub use body::{Body, Color, Part};
+pub use body::{Bars, Body, Color, Part};
 pub use frames::Frames;
 pub use mesh::Mesh;
 pub use pick::{Hit, Picker};

@@ -7,7 +7,7 @@ use pieper::describe::{Expr, Form, Robot, urdf};
 use pieper::ik::{Search, Solver};
 use pieper::kinematics;
 use pieper::model::{Chain, JointKind};
-use pieper_scene::{Body, Frames, Mesh, Picker, outline};
+use pieper_scene::{Bars, Body, Frames, Mesh, Picker, outline};
 
 use crate::command::Load;
 
@@ -24,6 +24,8 @@ pub struct Arm {
     pub(crate) search: Search,
     pub(crate) body: Body,
     pub(crate) frames: Frames,
+    /// The four-bar linkages that are drawn: three links for each, behind those of the frames.
+    pub(crate) bars: Vec<Bars>,
     pub(crate) picker: Picker,
     pub(crate) outline: Vec<[f64; 2]>,
     pub(crate) reach: f64,
@@ -69,6 +71,11 @@ impl Arm {
                 (body, Frames::Axes)
             }
         };
+        let bars = match frames {
+            Frames::Axes => Bars::of(&chain, &robot.transmission().map_err(text)?),
+            Frames::Tree { .. } => Vec::new(),
+        };
+        let body = body.with_bars(&bars);
         let mut meshes = HashMap::new();
         let mut name = |mesh: &Mesh| {
             let name = mesh.hash();
@@ -82,9 +89,10 @@ impl Arm {
             .iter()
             .map(|parts| parts.iter().map(|part| name(&part.mesh)).collect())
             .collect();
-        let mover = (0..frames.count(&chain))
+        let own = (0..frames.count(&chain))
             .map(|link| mover(&chain, &frames, link))
             .collect();
+        let mover = with_bars(own, &bars);
         let reach = kinematics::reach(&chain).map_err(text)?.from_base;
         Ok(Self {
             id: id.to_owned(),
@@ -97,6 +105,7 @@ impl Arm {
             chain,
             body,
             frames,
+            bars,
             meshes,
             names,
             mover,
@@ -157,7 +166,23 @@ impl Arm {
     pub(crate) fn poses(&self, q: &[f64]) -> Vec<Isometry3<f64>> {
         let mut poses = Vec::new();
         self.frames.at(&self.chain, q, &mut poses);
+        for bars in &self.bars {
+            let bars = bars.poses(&poses, q);
+            poses.extend(bars);
+        }
         poses
+    }
+
+    /// The number of the arm's own links: those behind are bars.
+    pub(crate) fn links(&self) -> usize {
+        self.mover.len() - 3 * self.bars.len()
+    }
+
+    /// The link that moves as one touches it: of a bar, the one that its linkage drives.
+    pub(crate) fn link_of(&self, touched: usize) -> usize {
+        let bar = touched.checked_sub(self.links()).map(|bar| bar / 3);
+        bar.and_then(|bar| self.bars.get(bar))
+            .map_or(touched, Bars::driven)
     }
 
     /// Zero, or the limit nearest to it.
@@ -188,6 +213,15 @@ impl Arm {
             None => ([-std::f64::consts::PI, std::f64::consts::PI], true),
         }
     }
+}
+
+/// The bars move with what they drive.
+fn with_bars(mut mover: Vec<Option<usize>>, bars: &[Bars]) -> Vec<Option<usize>> {
+    for bars in bars {
+        let driven = mover[bars.driven()];
+        mover.extend([driven; 3]);
+    }
+    mover
 }
 
 /// The variable that moves a link last before it, if any does.

@@ -121,7 +121,7 @@ impl Drag {
 
     /// Damped least squares: the point to the target, the tool's direction kept where the tool itself is pulled.
     fn pull(&self, arm: &Arm, q: &mut [f64], target: &Point3<f64>, free: bool) {
-        let last = self.link + 1 == arm.mover.len();
+        let last = self.link + 1 == arm.links();
         let start = arm.poses(q)[self.link].rotation;
         let stiff = STIFFNESS * arm.reach;
         for _ in 0..PULLS {

@@ -175,6 +175,10 @@ impl Session {
     }
 
     fn link_name(&self, link: usize) -> String {
+        if let Some(bar) = link.checked_sub(self.arm.links()) {
+            let what = ["crank", "coupler", "rocker"][bar % 3];
+            return format!("{what} of {}", self.arm.bars[bar / 3].motor);
+        }
         match &self.arm.frames {
             pieper_scene::Frames::Axes if link == 0 => "base".to_owned(),
             pieper_scene::Frames::Axes => format!("link {link}"),

@@ -452,6 +452,7 @@ impl Session {
             format!("drag J{}", joint + 1)
         };
         self.remember(&label, None);
+        let link = self.arm.link_of(link);
         self.drag = Some(Drag::new(&self.arm, &self.q, (link, joint), point, whole));
         Ok(value)
     }

@@ -384,3 +384,14 @@ fn whole_length(chain: &Chain) -> f64 {
         1.0
     }
 }
+
+/// The radius of the drum of one joint.
+pub(super) fn radius_at(chain: &Chain, step: usize) -> f64 {
+    Builder::new(chain).drums[step].radius
+}
+
+/// How far the drum of one joint and its cap reach along the axis, from the frame's origin.
+pub(super) fn half_width(chain: &Chain, step: usize) -> f64 {
+    let drum = &Builder::new(chain).drums[step];
+    drum.middle + drum.radius * (0.5 * DRUM + CAP)
+}

@@ -173,3 +173,21 @@ async fn a_motion_plays_by_the_program_s_clock() {
     assert!(arrived && start.elapsed() >= Duration::from_millis(450));
     assert!(start.elapsed() < Duration::from_secs(5));
 }
+
+#[tokio::test]
+async fn a_four_bar_drive_is_three_more_links() {
+    let studio = serve("abb-paper");
+    let mut window = open(&studio).await;
+    let robot = until(&mut window, |value| value["section"] == "robot").await;
+    let links = robot["value"]["links"].as_array().unwrap();
+    let names: Vec<&str> = links.iter().map(|l| l["name"].as_str().unwrap()).collect();
+    assert_eq!(names.len(), 10, "{names:?}");
+    assert_eq!(names[7..], ["crank of m3", "coupler of m3", "rocker of m3"]);
+    // Touched, they move what they drive.
+    assert!(links[7..].iter().all(|link| link["joint"] == 2));
+    assert!(
+        links[7..]
+            .iter()
+            .all(|link| !link["parts"].as_array().unwrap().is_empty())
+    );
+}

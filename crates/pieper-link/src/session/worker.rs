@@ -399,9 +399,14 @@ impl Worker {
             (Some(to), Some(from)) => to.copy_from_slice(from),
             (_, from) => *to = from.map(<[f64]>::to_vec),
         };
-        // The last of several moves is sent, and not yet made.
+        // The last of several moves is sent, and not yet made: it is still what it was.
         status.phase = match self.guard.phase() {
-            Phase::Holding if self.host.is_moving() => Phase::Moving,
+            Phase::Holding
+                if self.host.is_moving()
+                    && matches!(status.phase, Phase::Moving | Phase::Playing) =>
+            {
+                status.phase
+            }
             phase => phase,
         };
         status.is_homing = self.host.is_homing();

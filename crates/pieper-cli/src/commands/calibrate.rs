@@ -74,7 +74,7 @@ pub(crate) struct Arguments {
     kind: Measured,
 
     /// With --simulate or --design: motor values in the place of joint values
-    #[arg(long)]
+    #[arg(long, conflicts_with = "measurements")]
     motors: bool,
 
     /// With --simulate: how many measurements

@@ -214,16 +214,8 @@ impl Builder<'_> {
     /// Rows i and j become `cos i - sin j` and `sin i + cos j`.
     fn mix(&mut self, i: usize, j: usize, sin: Id, cos: Id) {
         for column in 0..4 {
-            let (x, y) = (self.rows[i][column], self.rows[j][column]);
-            let graph = &mut self.graph;
-            let (cx, sy, sx, cy) = (
-                graph.mul(cos, x),
-                graph.mul(sin, y),
-                graph.mul(sin, x),
-                graph.mul(cos, y),
-            );
-            self.rows[i][column] = graph.sub(cx, sy);
-            self.rows[j][column] = graph.add(sx, cy);
+            let pair = (self.rows[i][column], self.rows[j][column]);
+            (self.rows[i][column], self.rows[j][column]) = self.graph.turned((sin, cos), pair);
         }
     }
 

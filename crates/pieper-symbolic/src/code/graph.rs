@@ -144,6 +144,17 @@ impl Graph {
         }
     }
 
+    /// A pair turned: `cos x - sin y` and `sin x + cos y`.
+    pub(crate) fn turned(&mut self, (sin, cos): (Id, Id), (x, y): (Id, Id)) -> (Id, Id) {
+        let (cx, sy, sx, cy) = (
+            self.mul(cos, x),
+            self.mul(sin, y),
+            self.mul(sin, x),
+            self.mul(cos, y),
+        );
+        (self.sub(cx, sy), self.add(sx, cy))
+    }
+
     /// A polynomial, grouped as a person would.
     pub(crate) fn poly(&mut self, names: &Names, poly: &Poly) -> Id {
         self.form(&form::of(names, poly))

@@ -144,16 +144,8 @@ impl Walk<'_> {
     /// Column i becomes `cos i + sin j`, and j `cos j - sin i`.
     fn mix(&mut self, i: usize, j: usize, sin: Id, cos: Id) {
         for row in 0..3 {
-            let (x, y) = (self.frame[i][row], self.frame[j][row]);
-            let graph = &mut self.graph;
-            let (cx, sy, sx, cy) = (
-                graph.mul(cos, x),
-                graph.mul(sin, y),
-                graph.mul(sin, x),
-                graph.mul(cos, y),
-            );
-            self.frame[i][row] = graph.add(cx, sy);
-            self.frame[j][row] = graph.sub(cy, sx);
+            let pair = (self.frame[j][row], self.frame[i][row]);
+            (self.frame[j][row], self.frame[i][row]) = self.graph.turned((sin, cos), pair);
         }
     }
 

@@ -2,7 +2,8 @@
 
 use pieper::{Error, Result};
 
-use super::{Defined, Inverse, OneUnknown, Rule, Source, Step, without_base_and_tool};
+use super::probe::Probe;
+use super::{Defined, Inverse, Rule, Source, Step, without_base_and_tool};
 use crate::arm::Arm;
 use crate::basis;
 use crate::names::{Names, SymbolMeaning, Var};
@@ -22,17 +23,11 @@ struct Search<'a> {
     level: usize,
     /// The position column of the known matrix times the inverse of the last row left, in symbols of its own.
     point: Option<[Poly; 3]>,
-    /// One joint vector with a value for every symbol: an equation that says nothing there says nothing anywhere.
     probe: Probe,
     target: [[Var; 4]; 3],
     /// Whether equations without an unknown are noted, and those noted: after how many steps.
     collects: bool,
     conditions: Vec<(usize, Source, Poly)>,
-}
-
-struct Probe {
-    q: Vec<f64>,
-    values: Vec<(Var, f64)>,
 }
 
 /// A way to find one joint, with how much it is liked: less is better.
@@ -60,32 +55,30 @@ pub(super) fn run(arm: &Arm) -> Result<Inverse> {
     Ok(inverse)
 }
 
-/// All joints but one, as if that were known; and what is left to say about it.
-pub(super) fn run_assuming(arm: &Arm, joint: usize) -> Result<OneUnknown> {
+/// All joints but one, as if that were known.
+pub(super) struct Assumed {
+    pub(super) inverse: Inverse,
+    /// The equations without an unknown, each with the number of steps after which it is one, and its source.
+    pub(super) conditions: Vec<(usize, Source, Poly)>,
+    /// The joint vector that equations were tried on.
+    pub(super) q: Vec<f64>,
+    /// What to say where no equation tells the right values of that joint.
+    pub(super) stuck: Error,
+}
+
+/// Solves for all joints but this one.
+pub(super) fn run_assuming(arm: &Arm, joint: usize) -> Result<Assumed> {
     let mut search = Search::begin(arm)?;
     search.solved[joint] = true;
     search.collects = true;
     search.peel()?;
     search.all()?;
-    let stuck = search.stuck();
-    let conditions = std::mem::take(&mut search.conditions);
-    let probe = search.probe.q.clone();
-    let inverse = search.finish();
-    let found = conditions.into_iter().filter_map(|(at, source, equation)| {
-        let mut found = OneUnknown {
-            joint,
-            inverse: inverse.clone(),
-            at,
-            equation,
-            source,
-        };
-        found.decides(&probe).then(|| {
-            let used = found.equation.vars();
-            found.at = drop_unused(&mut found.inverse.steps, used, found.at);
-            found
-        })
-    });
-    found.min_by_key(OneUnknown::size).ok_or(stuck)
+    Ok(Assumed {
+        stuck: search.stuck(),
+        conditions: std::mem::take(&mut search.conditions),
+        q: search.probe.q.clone(),
+        inverse: search.finish(),
+    })
 }
 
 impl<'a> Search<'a> {
@@ -424,7 +417,7 @@ impl<'a> Search<'a> {
                 candidates.extend(self.pair(*joint, second, first));
             }
         }
-        candidates.retain(|candidate| self.probe.tells(self.arm, candidate));
+        candidates.retain(|candidate| self.probe.tells(self.arm, candidate.joint, &candidate.rule));
         candidates
             .into_iter()
             .min_by_key(|candidate| candidate.cost)
@@ -612,72 +605,6 @@ impl<'a> Search<'a> {
     }
 }
 
-impl Probe {
-    fn new(arm: &Arm, names: &Names, target: &[[Var; 4]; 3]) -> Result<Self> {
-        let q = (0..arm.dof())
-            .map(|joint| 0.61 + 0.37 * joint as f64 - 0.9 * (joint % 2) as f64)
-            .collect();
-        let mut probe = Self {
-            q,
-            values: Vec::new(),
-        };
-        // A value for every symbol without one; near 1, and no two alike.
-        for (index, (var, name, meaning)) in names.symbols().enumerate() {
-            if *meaning == SymbolMeaning::Parameter && arm.parameter(name).is_nan() {
-                probe.values.push((var, 0.83 + 0.171 * index as f64));
-            }
-        }
-        let pose = arm.tool_pose()?;
-        for (vars, entries) in target.iter().zip(&pose.0) {
-            for (var, entry) in vars.iter().zip(entries) {
-                let value = probe.value(arm, entry);
-                probe.values.push((*var, value));
-            }
-        }
-        Ok(probe)
-    }
-
-    fn value(&self, arm: &Arm, poly: &Poly) -> f64 {
-        poly.evaluate(&0.0, |var| {
-            match self.values.iter().find(|(known, _)| *known == var) {
-                Some((_, value)) => *value,
-                None => arm.value_at(var, &self.q, &|name| {
-                    let value = arm.parameter(name);
-                    if value.is_nan() { 0.77 } else { value }
-                }),
-            }
-        })
-    }
-
-    fn learn(&mut self, arm: &Arm, quantities: &[(Var, Poly)]) {
-        for (var, poly) in quantities {
-            let value = self.value(arm, poly);
-            self.values.push((*var, value));
-        }
-    }
-
-    /// Whether the rule says something, and something true.
-    fn tells(&self, arm: &Arm, candidate: &Candidate) -> bool {
-        let value = |poly: &Poly| self.value(arm, poly);
-        let q = self.q[candidate.joint];
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-7 * (1.0 + a.abs());
-        match &candidate.rule {
-            Rule::Two { a, b, k, .. } => {
-                let (a, b, k) = (value(a), value(b), value(k));
-                a.hypot(b) > 1e-7 && near(a * q.cos() + b * q.sin(), k)
-            }
-            Rule::One { sin, cos } => {
-                let (sin, cos) = (value(sin), value(cos));
-                sin.hypot(cos) > 1e-7 && near((sin.atan2(cos) - q).cos(), 1.0)
-            }
-            Rule::Slide { above, below } => {
-                value(below).abs() > 1e-7 && near(value(above) / value(below), q)
-            }
-            Rule::Square { coefficients } => value(&coefficients[2]).abs() > 1e-7,
-        }
-    }
-}
-
 impl Rule {
     /// Every polynomial in the rule.
     pub(crate) fn polys(&self) -> Vec<&Poly> {
@@ -696,7 +623,7 @@ impl Rule {
 }
 
 /// Leaves out what no later step uses, and what is not used elsewhere; how many of the first `at` steps stay.
-fn drop_unused(steps: &mut Vec<Step>, mut used: Vec<Var>, at: usize) -> usize {
+pub(super) fn drop_unused(steps: &mut Vec<Step>, mut used: Vec<Var>, at: usize) -> usize {
     for step in steps.iter_mut().rev() {
         match step {
             Step::Define { quantities, .. } => {

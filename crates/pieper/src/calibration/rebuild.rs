@@ -91,7 +91,8 @@ impl Model {
             summary: self.robot.summary.clone(),
             source,
             datasheet: self.robot.datasheet.clone(),
-            parameters: self.robot.parameters.clone(),
+            // Every formula has become a number: what the nominal lengths were called would say something that is no longer so.
+            parameters: Vec::new(),
             form,
             motors: self.drives.motors_with(values),
             golden: Vec::new(),

@@ -66,6 +66,11 @@ impl Arguments {
             !status.is_homing || status.phase == pieper_link::Phase::Lost
         })?;
         live.finish();
+        if status.is_homing && status.phase != pieper_link::Phase::Lost {
+            let text =
+                "this program was interrupted; the controller goes on looking for its switches";
+            return Err(Failure::World(text.to_owned()));
+        }
         if let Some(sentence) = status.sentence {
             return Err(Failure::World(sentence));
         }

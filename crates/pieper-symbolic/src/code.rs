@@ -10,8 +10,12 @@
 mod emit;
 mod forward;
 mod graph;
+mod helpers;
+mod inverse;
 mod language;
 mod program;
+mod self_test;
+mod turns;
 mod velocity;
 
 use pieper::Result;

@@ -35,6 +35,22 @@ pub struct Inverse {
     pub steps: Vec<Step>,
 }
 
+impl Inverse {
+    /// The most solutions there can be: two for each branch.
+    pub fn most(&self) -> usize {
+        let branches = self.steps.iter().filter(|step| {
+            matches!(
+                step,
+                Step::Joint {
+                    rule: Rule::Two { .. } | Rule::Square { .. },
+                    ..
+                }
+            )
+        });
+        1 << branches.count()
+    }
+}
+
 /// One step of computing.
 #[derive(Clone, Debug)]
 pub enum Step {

@@ -3,7 +3,7 @@
 use super::graph::{Graph, Id, Node};
 use super::{Language, Precision};
 use crate::arm::Arm;
-use crate::names::{AngleMeaning, Names, SymbolMeaning, Var, VarKind};
+use crate::names::{Angle, AngleMeaning, Names, SymbolMeaning, Var, VarKind};
 use crate::number;
 use crate::poly::Poly;
 use crate::print;
@@ -105,6 +105,33 @@ impl Emit<'_> {
             .value_at(var, &[], &|name| self.arm.parameter(name))
     }
 
+    /// What the sine and cosine of an angle are taken of, unless they are constants.
+    pub(super) fn argument(&self, angle: Angle) -> Option<String> {
+        Some(match self.names.meaning(angle) {
+            AngleMeaning::Joint(joint) => self.language.at("q", *joint),
+            AngleMeaning::Sum(sum) => sum
+                .iter()
+                .enumerate()
+                .map(|(place, (joint, sign))| {
+                    let q = self.language.at("q", *joint);
+                    match (place, sign) {
+                        (0, _) => q,
+                        (_, -1) => format!(" - {q}"),
+                        _ => format!(" + {q}"),
+                    }
+                })
+                .collect(),
+            AngleMeaning::Parameter(name) => {
+                let value = self.arm.parameter(name);
+                match value.is_nan() {
+                    true => self.language.name(name),
+                    false => self.language.number(value, self.precision),
+                }
+            }
+            AngleMeaning::Constant(..) => return None,
+        })
+    }
+
     /// How a quantity is computed, if it is to be declared: sines and cosines, and lengths with a value.
     pub(super) fn definition(&self, var: Var) -> Option<String> {
         match var.kind() {
@@ -114,29 +141,7 @@ impl Emit<'_> {
                 } else {
                     "cos"
                 });
-                let argument = match self.names.meaning(angle) {
-                    AngleMeaning::Joint(joint) => self.language.at("q", *joint),
-                    AngleMeaning::Sum(sum) => sum
-                        .iter()
-                        .enumerate()
-                        .map(|(place, (joint, sign))| {
-                            let q = self.language.at("q", *joint);
-                            match (place, sign) {
-                                (0, _) => q,
-                                (_, -1) => format!(" - {q}"),
-                                _ => format!(" + {q}"),
-                            }
-                        })
-                        .collect(),
-                    AngleMeaning::Parameter(name) => {
-                        let value = self.arm.parameter(name);
-                        match value.is_nan() {
-                            true => self.language.name(name),
-                            false => self.language.number(value, self.precision),
-                        }
-                    }
-                    AngleMeaning::Constant(..) => return None,
-                };
+                let argument = self.argument(angle)?;
                 Some(format!("{function}({argument})"))
             }
             VarKind::Root(_) => None,

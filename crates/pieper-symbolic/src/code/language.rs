@@ -18,11 +18,11 @@ pub enum Language {
 }
 
 /// Words that cannot name a quantity in one of the languages, or that the generated code uses itself.
-const TAKEN: [&str; 42] = [
-    "as", "break", "case", "const", "continue", "do", "else", "end", "enum", "extern", "false",
-    "float", "fn", "for", "free", "function", "global", "if", "in", "int", "is", "lambda", "let",
-    "loop", "match", "math", "mod", "mut", "not", "or", "pi", "pub", "q", "return", "self",
-    "static", "switch", "true", "type", "use", "while", "x",
+const TAKEN: [&str; 44] = [
+    "as", "break", "c", "case", "const", "continue", "do", "else", "end", "enum", "extern",
+    "false", "float", "fn", "for", "free", "function", "global", "if", "in", "int", "is", "lambda",
+    "let", "loop", "match", "math", "mod", "mut", "not", "or", "pi", "pub", "q", "return", "s",
+    "self", "static", "switch", "true", "type", "use", "while", "x",
 ];
 
 impl Language {

@@ -123,16 +123,7 @@ impl Writer<'_> {
         rows.push([0, 0, 0, 1].map(Form::whole).to_vec());
         let name = Form::name("T");
         self.blocks.push(Block::Matrix(vec![name], rows));
-        let branches = self.inverse.steps.iter().filter(|step| {
-            matches!(
-                step,
-                Step::Joint {
-                    rule: Rule::Two { .. } | Rule::Square { .. },
-                    ..
-                }
-            )
-        });
-        let count = 1_usize << branches.count();
+        let count = self.inverse.most();
         self.say(words(format!(
             "The pose the tool is to take. Below, K is what is known of the product of the rows that are left: T at first. Every +- is a branch; each combination of signs is {of_signs}, {count} at \
              most. Angles are meant in (-pi, pi]."

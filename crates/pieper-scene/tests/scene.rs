@@ -9,7 +9,7 @@ fn every_built_in_arm_has_a_body() {
     for built_in in pieper_robots::ALL {
         let robot = built_in.robot();
         let Ok(chain) = robot.chain() else { continue };
-        let body = Body::of_chain(&chain);
+        let body = Body::of_chain(&chain, &Vector3::z_axis());
         assert_eq!(
             body.links.len(),
             Frames::Axes.count(&chain),
@@ -70,7 +70,7 @@ fn rays_meet_what_all_triangles_say() {
         .robot()
         .chain()
         .unwrap();
-    let body = Body::of_chain(&chain);
+    let body = Body::of_chain(&chain, &Vector3::z_axis());
     let picker = Picker::new(&body);
     let mut random = fastrand::Rng::with_seed(2);
     let mut poses = Vec::new();

@@ -66,7 +66,7 @@ impl Arm {
                 let problems = described.map_or_else(Vec::new, |(body, _)| body.problems);
                 let body = Body {
                     problems,
-                    ..Body::of_chain(&chain)
+                    ..Body::of_chain(&chain, &robot.up.axis())
                 };
                 (body, Frames::Axes)
             }

@@ -59,9 +59,11 @@ pub enum Command {
     },
     Keyframe {
         op: KeyframeOp,
-        id: Option<u32>,
+        /// Its `id`. Not called that here, since a message's own `id` is that of its answer.
+        keyframe: Option<u32>,
         t: Option<Quantity>,
         label: Option<String>,
+        gesture: Option<String>,
     },
     Law {
         to: String,

@@ -161,6 +161,7 @@ impl Session {
             .map_or("", |row| row.summary);
         json!({
             "id": arm.id, "name": arm.robot.name, "summary": arm.robot.summary, "source": arm.robot.source, "revision": self.revision,
+            "up": arm.robot.up.name(),
             "joints": joints, "links": links, "table": table(&arm.robot.form),
             "facts": [
                 ["solver", solver],

@@ -167,8 +167,14 @@ impl Session {
                 self.put(arm);
             }
             Command::MotionTable { name, text } => return self.table(&name, &text),
-            Command::Keyframe { op, id, t, label } => {
-                return self.keyframe(op, id, t.map(|t| t.0), label);
+            Command::Keyframe {
+                op,
+                keyframe,
+                t,
+                label,
+                gesture,
+            } => {
+                return self.keyframe(op, keyframe, t.map(|t| t.0), label, gesture.as_deref());
             }
             Command::Law { to } => return self.law(&to),
             Command::Play {} => return self.play(),

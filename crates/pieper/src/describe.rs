@@ -17,5 +17,5 @@ pub use dh::{Convention, DhTable};
 pub use expr::Expr;
 pub use measurement_table::{Measurement, Readings, Seen, measurements_from_csv};
 pub use motion_table::{MotionTable, MotionValues, ToolPoints};
-pub use robot::{Form, Golden, Robot};
+pub use robot::{Form, Golden, Robot, Up};
 pub use screws::ScrewTable;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Point3, Translation3, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, Unit, Vector3};
 use pieper::model::{Chain, LinkShape};
 
 use super::{ACCENT, Body, Color, DARK, Part, SHELL};
@@ -14,19 +14,19 @@ impl Body {
     ///
     /// Each joint is a drum about its axis, held by the link before it; what turns in it are two dark caps. Links run along the
     /// common normals as tapered tubes, thinner towards the tool. Joints that slide are a sleeve with a rod, or a rail with a
-    /// carriage where nothing turns before them.
+    /// carriage where nothing turns before them. The foot stands on the ground: square to `up`, an axis of the base.
     ///
     /// ```
     /// use pieper_scene::Body;
     /// let ar3 = pieper_robots::find("ar3").unwrap().robot().chain()?;
-    /// let body = Body::of_chain(&ar3);
+    /// let body = Body::of_chain(&ar3, &nalgebra::Vector3::z_axis());
     /// assert_eq!(body.links.len(), 7);
     /// # Ok::<(), pieper::Error>(())
     /// ```
-    pub fn of_chain(chain: &Chain) -> Self {
+    pub fn of_chain(chain: &Chain, up: &Unit<Vector3<f64>>) -> Self {
         let builder = Builder::new(chain);
         let links = (0..=chain.canonical().steps.len())
-            .map(|link| builder.link(link))
+            .map(|link| builder.link(link, up))
             .collect();
         Self {
             links,
@@ -108,17 +108,17 @@ impl<'a> Builder<'a> {
         Self { chain, drums }
     }
 
-    fn link(&self, link: usize) -> Vec<Part> {
+    fn link(&self, link: usize, up: &Unit<Vector3<f64>>) -> Vec<Part> {
         let mut parts = Vec::new();
         match link {
-            0 => self.foot(&mut parts),
+            0 => self.foot(up, &mut parts),
             _ => self.moving(link - 1, &mut parts),
         }
         parts
     }
 
     /// The base: a foot on the ground and a column to the first joint, where it stands away from it.
-    fn foot(&self, parts: &mut Vec<Part>) {
+    fn foot(&self, up: &Unit<Vector3<f64>>, parts: &mut Vec<Part>) {
         let Some(drum) = self.drums.first() else {
             return;
         };
@@ -129,7 +129,7 @@ impl<'a> Builder<'a> {
         if drum.rail {
             return self.hold(drum, Isometry3::identity(), parts);
         }
-        let up = world * Vector3::z();
+        let up = world * up.into_inner();
         let plate = Isometry3::from_parts(ground.into(), shapes::pointing(&up));
         let foot = [
             (0.0, 0.0),

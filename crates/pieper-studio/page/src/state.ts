@@ -43,6 +43,11 @@ function stored<T extends string>(key: string, values: readonly T[], first: T): 
   return value && values.includes(value) ? value : first;
 }
 
+function storedNumber(key: string, first: number): number {
+  const value = Number(safely(() => localStorage.getItem(`pieper.${key}`)));
+  return Number.isFinite(value) && value > 0 ? value : first;
+}
+
 function safely<T>(read: () => T): T | null {
   try {
     return read();
@@ -58,12 +63,16 @@ export function store(key: string, value: string): void {
 export const tab = signal<Tab>('joints');
 export const drawer = signal<Drawer>(null);
 export const panelOpen = signal(true);
+/** Sizes of the side panel, the drawer, and the drawer with long texts, CSS pixels. */
+export const sizes = { panel: signal(storedNumber('panel', 336)), drawer: signal(storedNumber('drawer', 236)), tall: signal(storedNumber('tall', Math.min(420, Math.round(0.46 * innerHeight)))) };
 export const theme = signal<Theme>(stored('theme', ['system', 'light', 'dark'], 'system'));
 export const units = signal<Units>({
   angle: stored('angle', ['deg', 'rad'] as const, 'deg'),
   length: stored('length', ['mm', 'm'] as const, 'mm'),
 });
 export const letters = signal(stored('letters', ['on', 'off'], 'on') === 'on');
+/** The view turns freely, not about the upright axis. */
+export const tumbling = signal(stored('tumble', ['on', 'off'], 'off') === 'on');
 export const hintSeen = signal(isSnapshot || stored('hint', ['seen', 'new'], 'new') === 'seen');
 /** The hint of the first start has done its work. */
 export function seen(): void {

@@ -18,14 +18,15 @@ impl Session {
         id: Option<u32>,
         t: Option<f64>,
         label: Option<String>,
+        gesture: Option<&str>,
     ) -> Result<Value, String> {
         if let Some(t) = t.filter(|t| !(0.0..=LATEST).contains(t)) {
             return Err(format!("t = {t}: a time from 0 to {LATEST} s was expected"));
         }
         let place = || -> Result<usize, String> {
-            let id = id.ok_or("id: which keyframe was expected")?;
+            let id = id.ok_or("keyframe: the id of one was expected")?;
             let place = self.motion.keyframes.iter().position(|k| k.id == id);
-            place.ok_or_else(|| format!("id {id}: there is no such keyframe"))
+            place.ok_or_else(|| format!("keyframe {id}: there is no such keyframe"))
         };
         let mut value = Value::Null;
         match op {
@@ -52,7 +53,7 @@ impl Session {
                 {
                     return Err(format!("t = {t} s: there is another keyframe at that time"));
                 }
-                self.remember("move keyframe", None);
+                self.remember("move keyframe", gesture);
                 self.motion.keyframes[place].t = t;
             }
             KeyframeOp::Set => {

@@ -90,6 +90,7 @@ impl Model {
             name: format!("{}, calibrated", self.robot.name),
             summary: self.robot.summary.clone(),
             source,
+            up: self.robot.up,
             datasheet: self.robot.datasheet.clone(),
             // Every formula has become a number: what the nominal lengths were called would say something that is no longer so.
             parameters: Vec::new(),

@@ -1,5 +1,7 @@
 //! A described arm: its form as written, its parameters, where its numbers come from.
 
+use nalgebra::{Unit, Vector3};
+
 use super::dh::DhTable;
 use super::drives::MotorExpr;
 use super::expr::{Expr, Values};
@@ -37,6 +39,8 @@ pub struct Robot {
     pub summary: String,
     /// Where the numbers come from.
     pub source: String,
+    /// Which axis of the base frame points up in pictures.
+    pub up: Up,
     /// What the maker says of it: payload, reach, mass; free text by key.
     pub datasheet: Vec<(String, String)>,
     /// The named lengths and angles, in order.
@@ -47,6 +51,41 @@ pub struct Robot {
     pub motors: Vec<MotorExpr>,
     /// Poses computed elsewhere, to check against.
     pub golden: Vec<Golden>,
+}
+
+/// The axis of a frame that points up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Up {
+    /// The first.
+    X,
+    /// The second.
+    Y,
+    /// The third, as nearly everywhere.
+    #[default]
+    Z,
+}
+
+impl Up {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// Its letter.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+
+    /// It as a vector.
+    pub fn axis(self) -> Unit<Vector3<f64>> {
+        match self {
+            Self::X => Vector3::x_axis(),
+            Self::Y => Vector3::y_axis(),
+            Self::Z => Vector3::z_axis(),
+        }
+    }
 }
 
 /// A named length or angle.
@@ -226,6 +265,7 @@ impl Robot {
             name: tree.name().to_owned(),
             summary: String::new(),
             source: String::new(),
+            up: Up::default(),
             datasheet: Vec::new(),
             parameters: Vec::new(),
             form: Form::Tree { tree, base, tip },

@@ -10,7 +10,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::dh::{Convention, DhTable};
 use super::expr::Expr;
-use super::robot::{Form, Golden, Parameter, Robot};
+use super::robot::{Form, Golden, Parameter, Robot, Up};
 use super::screws::ScrewTable;
 use super::xacro::{NoResources, Resources};
 use crate::error::{Error, Place, Result};
@@ -40,6 +40,7 @@ impl Robot {
             "name",
             "summary",
             "source",
+            "up",
             "convention",
             "datasheet",
             "parameters",
@@ -63,6 +64,7 @@ impl Robot {
             name: root.require("name", "the arm's name")?.string()?.to_owned(),
             summary: root.optional_string("summary")?,
             source: root.optional_string("source")?,
+            up: up(&root)?,
             datasheet: datasheet(&root)?,
             golden: golden(&root)?,
             parameters,
@@ -90,6 +92,17 @@ impl Robot {
             None => Ok(()),
         }
     }
+}
+
+fn up(root: &Table<'_>) -> Result<Up> {
+    let Some(field) = root.get("up") else {
+        return Ok(Up::default());
+    };
+    let text = field.string()?;
+    let found = Up::ALL.into_iter().find(|up| up.name() == text);
+    found.ok_or_else(|| {
+        field.error("\"x\", \"y\" or \"z\": the axis of the base frame that points up")
+    })
 }
 
 fn toml_error(file: &str, text: &str, error: &toml::de::Error) -> Error {

@@ -1,12 +1,13 @@
 import { useEffect } from 'preact/hooks';
 import { effect } from '@preact/signals';
-import { dark, ik, panelOpen, pose, tab, type Tab } from '../state';
+import { dark, ik, panelOpen, pose, sizes, tab, type Tab } from '../state';
 import { LiveFrame } from './Controller';
-import { Drawer } from './Drawer';
+import { Drawer, drawerSize } from './Drawer';
 import { Joints } from './Joints';
 import { Overlays } from './Overlays';
 import { RobotInfo } from './RobotInfo';
 import { Solutions } from './Solutions';
+import { Splitter } from './Splitter';
 import { Tool } from './Tool';
 import { TopBar } from './TopBar';
 import { View } from './View';
@@ -28,6 +29,7 @@ function Panel() {
   };
   return (
     <aside class="panel" aria-label="Control panel">
+      <Splitter label="Width of the side panel" size={sizes.panel} name="panel" from="right" least={300} most={() => Math.max(300, Math.round(0.6 * innerWidth))} />
       <div class="tabs" role="tablist" aria-label="Control panel" onKeyDown={move}>
         {TABS.map(([key, text]) => (
           <button type="button" key={key} id={`tab-${key}`} role="tab" aria-selected={open === key} aria-controls="panel-body" tabIndex={open === key ? 0 : -1} onClick={() => (tab.value = key)}>
@@ -63,6 +65,11 @@ function Readout() {
 export function App() {
   useEffect(() => effect(() => {
     document.documentElement.dataset.theme = dark.value ? 'dark' : 'light';
+  }), []);
+  useEffect(() => effect(() => {
+    const { style } = document.documentElement;
+    style.setProperty('--panel-width', `${sizes.panel.value}px`);
+    style.setProperty('--drawer-height', `${sizes[drawerSize()].value}px`);
   }), []);
   return (
     <div class={`app ${panelOpen.value ? '' : 'no-panel'}`}>

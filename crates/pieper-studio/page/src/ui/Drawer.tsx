@@ -1,6 +1,6 @@
 // The bottom drawer: motion, plots, log.
 
-import { clock, drawer, log, motion, send, toast, type Drawer as Which } from '../state';
+import { clock, drawer, log, motion, send, sizes, toast, type Drawer as Which } from '../state';
 import { IconButton } from './icons';
 import { NumberField } from './NumberField';
 import { isSnapshot } from '../wire/snapshot';
@@ -8,14 +8,22 @@ import { ControllerPanel } from './Controller';
 import { Formulas } from './Formulas';
 import { Plots } from './Plots';
 import { ScriptPanel } from './Script';
+import { Splitter } from './Splitter';
+import { Timeline } from './Timeline';
 
 const TABS: [Exclude<Which, null>, string][] = [['motion', 'Motion'], ['plots', 'Plots'], ['formulas', 'Formulas'], ['script', 'Script'], ['controller', 'Controller'], ['log', 'Log']];
+
+/** Formulas and scripts are long: their drawer has a size of its own. */
+export function drawerSize(): 'drawer' | 'tall' {
+  return drawer.value === 'script' || drawer.value === 'formulas' ? 'tall' : 'drawer';
+}
 
 export function Drawer() {
   const open = drawer.value;
   const value = motion.value;
   return (
     <footer class={`drawer ${open ? 'open' : ''}`}>
+      {open && <Splitter key={drawerSize()} label="Height of the drawer" size={sizes[drawerSize()]} name={drawerSize()} from="bottom" least={120} most={() => Math.max(120, Math.round(0.7 * innerHeight))} />}
       <div class="drawer-bar">
         <Transport />
         <span class="grow" />
@@ -96,14 +104,15 @@ function MotionPanel() {
       {value.problem && <p class="banner">{value.problem}</p>}
       {value.name && <p class="quiet small">{value.name}: {value.keyframes.length} rows</p>}
       {value.keyframes.length === 0 && <p class="quiet">Bring the arm to a posture and press <kbd>K</kbd>; move it and press <kbd>K</kbd> again; <kbd>Space</kbd> plays.</p>}
+      {!many && value.keyframes.length > 0 && <Timeline />}
       {!many && value.keyframes.length > 0 && (
         <ol class="keyframes">
           {value.keyframes.map((keyframe) => (
             <li key={keyframe.id} class={Math.abs(clock.value - keyframe.t) < 1e-6 ? 'here' : ''}>
-              <button type="button" class="keyframe-name" onClick={() => void send({ do: 'keyframe', op: 'goto', id: keyframe.id })}>{keyframe.label || keyframe.id}</button>
-              <label class="field"><NumberField value={keyframe.t} kind="plain" label={`Time of keyframe ${keyframe.label}`} onCommit={(text) => void send({ do: 'keyframe', op: 'move', id: keyframe.id, t: text.replace(/s$/, '') })} /> s</label>
-              <button type="button" class="text-button" title="Takes the present posture" onClick={() => void send({ do: 'keyframe', op: 'set', id: keyframe.id })}>Set</button>
-              <IconButton icon="close" label={`Remove keyframe ${keyframe.label}`} onClick={() => void send({ do: 'keyframe', op: 'remove', id: keyframe.id })} />
+              <button type="button" class="keyframe-name" onClick={() => void send({ do: 'keyframe', op: 'goto', keyframe: keyframe.id })}>{keyframe.label || keyframe.id}</button>
+              <label class="field"><NumberField value={keyframe.t} kind="plain" label={`Time of keyframe ${keyframe.label}`} onCommit={(text) => void send({ do: 'keyframe', op: 'move', keyframe: keyframe.id, t: text.replace(/s$/, '') })} /> s</label>
+              <button type="button" class="text-button" title="Takes the present posture" onClick={() => void send({ do: 'keyframe', op: 'set', keyframe: keyframe.id })}>Set</button>
+              <IconButton icon="close" label={`Remove keyframe ${keyframe.label}`} onClick={() => void send({ do: 'keyframe', op: 'remove', keyframe: keyframe.id })} />
             </li>
           ))}
         </ol>

@@ -7,6 +7,7 @@ import type { Joint } from '../wire/types';
 import { Stream } from '../wire/connection';
 import { Icon, IconButton } from './icons';
 import { NumberField } from './NumberField';
+import { fromClipboard } from './paste';
 
 const DEGREE = Math.PI / 180;
 /** A joint this part of its range from a limit is near it. */
@@ -78,6 +79,7 @@ export function Joints() {
         <IconButton icon="fit" label="Zero" keys="0" text="Zero" onClick={() => void send({ do: 'named', to: 'zero' })} />
         <IconButton icon="dice" label="Random posture within the limits" text="Random" onClick={() => void send({ do: 'named', to: 'random' })} />
         <IconButton icon="copy" label="Copy the joint values" text="Copy" onClick={copy} />
+        <IconButton icon="paste" label="Paste joint values, as Copy or a table gives them" keys="Ctrl+V" text="Paste" onClick={fromClipboard} />
         <IconButton icon={unlocked ? 'unlock' : 'lock'} label={unlocked ? 'Lock the limits' : 'Unlock the limits'} pressed={unlocked} onClick={() => void send({ do: 'unlock', on: !unlocked })} text="Limits" />
       </div>
       <button type="button" class="link" onClick={() => void send({ do: 'set_home' }).then(() => toast('This posture is home now', 'note'))}>Make this posture home</button>

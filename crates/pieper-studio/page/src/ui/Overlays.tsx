@@ -1,8 +1,8 @@
 // What lies over the page: the cheat sheet, the palette, notices.
 
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { hintSeen, letters, overlay, phase, phaseText, said, seen, store, toasts } from '../state';
-import { ACTIONS } from './keys';
+import { hintSeen, letters, overlay, phase, phaseText, said, seen, store, toasts, tumbling } from '../state';
+import { ACTIONS, tumble } from './keys';
 import { Icon, IconButton } from './icons';
 
 function Dialog({ title, children }: { title: string; children: preact.ComponentChildren }) {
@@ -32,6 +32,7 @@ function Help() {
         <dl>{ACTIONS.filter((action) => action.keys).map((action) => <><dt key={action.name}><kbd>{action.keys}</kbd></dt><dd>{action.name}</dd></>)}</dl>
       </div>
       <label class="check"><input type="checkbox" checked={letters.value} onChange={(event) => { letters.value = event.currentTarget.checked; store('letters', letters.value ? 'on' : 'off'); }} /> Single letters act as keys</label>
+      <label class="check"><input type="checkbox" checked={tumbling.value} onChange={(event) => tumble(event.currentTarget.checked)} /> Dragging empty space turns the view freely, over the poles as well</label>
     </Dialog>
   );
 }

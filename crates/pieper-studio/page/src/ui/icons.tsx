@@ -33,6 +33,7 @@ const PATHS = {
   upload: 'M10 13V4M6.5 7.5 10 4l3.5 3.5M4 16h12',
   dice: 'M4 4h12v12H4zM7.5 7.5v.01M12.5 7.5v.01M10 10v.01M7.5 12.5v.01M12.5 12.5v.01',
   copy: 'M7 7h9v9H7zM13 7V4H4v9h3',
+  paste: 'M7 4.5H4.5V17h11V4.5H13M7.5 3h5v3h-5zM10 8.5v5M7.8 11.3 10 13.5l2.2-2.2',
   fit: 'M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4',
 } as const;
 

@@ -1,8 +1,9 @@
 // The keyboard. Single letters act only where nothing is typed, and can be switched off (WCAG 2.1.4).
 
-import { controller, drawer, letters, overlay, send, show } from '../state';
+import { controller, drawer, letters, overlay, send, show, store, tumbling } from '../state';
 import { stopArm } from './Controller';
 import { addKeyframe, playOrPause } from './Drawer';
+import { fromClipboard } from './paste';
 import { stopScript } from './Script';
 import { snapshot } from './snapshot';
 import { stepSolution } from './Solutions';
@@ -14,6 +15,12 @@ export interface Action { name: string; keys: string; run: () => void }
 const toggle = (flag: { value: boolean }) => (): void => void (flag.value = !flag.value);
 const mode = (next: 'translate' | 'rotate') => (): void => void (show.gizmo.value = show.gizmo.value === next ? 'off' : next);
 
+/** Free tumbling on or off. */
+export function tumble(on: boolean): void {
+  tumbling.value = on;
+  store('tumble', on ? 'on' : 'off');
+}
+
 /** Everything that has a key, for the keyboard, the palette and the cheat sheet. */
 export const ACTIONS: Action[] = [
   { name: 'Fit the arm', keys: 'F', run: () => viewer?.fit('here') },
@@ -22,6 +29,7 @@ export const ACTIONS: Action[] = [
   { name: 'Right view', keys: '3', run: () => viewer?.fit('right') },
   { name: 'Top view', keys: '7', run: () => viewer?.fit('top') },
   { name: 'Parallel or central projection', keys: '5', run: () => viewer?.toggleProjection() },
+  { name: 'Turn the view freely, or about the upright axis', keys: '', run: () => tumble(!tumbling.value) },
   { name: 'Home posture', keys: 'H', run: () => void send({ do: 'named', to: 'home' }) },
   { name: 'Zero posture', keys: '0', run: () => void send({ do: 'named', to: 'zero' }) },
   { name: 'Random posture', keys: '', run: () => void send({ do: 'named', to: 'random' }) },
@@ -46,6 +54,7 @@ export const ACTIONS: Action[] = [
   { name: 'Stop the script', keys: '', run: stopScript },
   { name: 'Controller of a real arm', keys: '', run: () => (drawer.value = drawer.value === 'controller' ? null : 'controller') },
   { name: 'Stop the real arm', keys: 'Escape', run: stopArm },
+  { name: 'Paste joint values', keys: 'Ctrl+V', run: fromClipboard },
   { name: 'Undo', keys: 'Ctrl+Z', run: () => void send({ do: 'undo' }) },
   { name: 'Redo', keys: 'Ctrl+Shift+Z', run: () => void send({ do: 'redo' }) },
   { name: 'Save the project', keys: 'Ctrl+S', run: () => location.assign('/api/project.json?download') },
@@ -61,7 +70,8 @@ export function listen(): void {
     if (event.ctrlKey || event.metaKey) {
       const name = `Ctrl+${event.shiftKey ? 'Shift+' : ''}${event.key.toUpperCase()}`;
       const action = ACTIONS.find((candidate) => candidate.keys === name);
-      if (!action || (typing && name !== 'Ctrl+K')) return;
+      // The browser's own paste brings the text without a question.
+      if (!action || name === 'Ctrl+V' || (typing && name !== 'Ctrl+K')) return;
       event.preventDefault();
       return action.run();
     }

@@ -104,8 +104,11 @@ export class Arm {
       for (const child of group.children) {
         if (child instanceof Mesh) {
           const material = child.material as MeshStandardMaterial;
+          const own = (child.userData.color ??= material.color.clone()) as Color;
+          // A light housing takes the tint by its colour, a dark one by its glow.
+          material.color.copy(own).lerp(HIGHLIGHT, index === link ? 0.5 : 0);
           material.emissive = index === link ? HIGHLIGHT : NONE;
-          material.emissiveIntensity = index === link ? 0.75 : 0;
+          material.emissiveIntensity = index === link ? 0.35 : 0;
         }
       }
     });

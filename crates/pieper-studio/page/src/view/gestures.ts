@@ -3,9 +3,10 @@
 import { Object3D, Quaternion, Vector3 } from 'three';
 import { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { effect } from '@preact/signals';
-import { connection, dragging, gesture, hintSeen, hovered, liveQ, pose, robot, said, seen, send, show, toast, units } from '../state';
+import { connection, dragging, gesture, hintSeen, hovered, liveQ, pose, robot, said, seen, send, show, toast, tumbling, units } from '../state';
 import { shown, kindOf, unit } from '../units';
 import { Stream } from '../wire/connection';
+import { Tumble } from './tumble';
 import type { Viewer } from './viewer';
 
 interface Touched { link: number; joint: number | null; point: [number, number, number] }
@@ -105,6 +106,7 @@ export function gestures(viewer: Viewer, label: HTMLElement): void {
     const link = hovered.value;
     const joint = link === null ? null : robot.value?.links[link]?.joint ?? null;
     viewer.arm.highlight(link);
+    viewer.outline.around(link === null ? null : viewer.arm.links[link] ?? null);
     canvas.style.setProperty('cursor', dragging.value ? 'grabbing' : joint !== null && link !== null ? 'grab' : 'default');
     const joints = robot.value?.joints;
     const info = joint === null ? undefined : joints?.[joint];
@@ -116,6 +118,11 @@ export function gestures(viewer: Viewer, label: HTMLElement): void {
   });
 
   const gizmo = makeGizmo(viewer);
+  const tumble = new Tumble(viewer);
+  effect(() => {
+    tumble.on = tumbling.value;
+    if (!tumble.on) viewer.level();
+  });
 }
 
 export function sayPose(): void {

@@ -2,13 +2,14 @@
 
 import {
   ACESFilmicToneMapping, AxesHelper, Box3, Color, DirectionalLight, Group, HemisphereLight, Matrix4, PCFSoftShadowMap, PerspectiveCamera,
-  OrthographicCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Camera, type Object3D,
+  OrthographicCamera, Quaternion, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Camera, type Object3D,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Robot } from '../wire/types';
 import { Arm } from './arm';
 import { Ghosts, REAL } from './ghosts';
 import { Ground } from './ground';
+import { Outline } from './outline';
 import { Path } from './path';
 
 const plain = new URLSearchParams(location.search).has('plain');
@@ -27,6 +28,9 @@ export class Viewer {
   readonly real = new Ghosts(REAL);
   readonly ground = new Ground();
   readonly path = new Path();
+  readonly outline = new Outline();
+  /** From axes with Z up to those of the arm's base. */
+  private readonly upright = new Quaternion();
   readonly tool = new Group();
   private readonly triad = new AxesHelper(1);
   private readonly sun = new DirectionalLight(0xffffff, 2.2);
@@ -44,9 +48,9 @@ export class Viewer {
     this.renderer.toneMappingExposure = 1.05;
     this.renderer.shadowMap.enabled = !plain;
     this.renderer.shadowMap.type = PCFSoftShadowMap;
-    this.perspective.up.set(0, 0, 1);
-    this.orthographic.up.set(0, 0, 1);
+    this.renderer.info.autoReset = false;
     this.controls = new OrbitControls(this.perspective, canvas);
+    this.stand('z');
     this.controls.zoomToCursor = true;
     this.controls.enableDamping = false;
     this.controls.addEventListener('change', () => this.invalidate());
@@ -79,8 +83,10 @@ export class Viewer {
 
   private draw(): void {
     const start = performance.now();
+    this.renderer.info.reset();
     for (const listener of this.beforeDraw) listener();
     this.renderer.render(this.scene, this.camera);
+    this.outline.draw(this.renderer, this.scene, this.camera);
     const { calls, triangles } = this.renderer.info.render;
     Object.assign(this.statistics, { calls, triangles, milliseconds: performance.now() - start });
     this.statistics.pictures += 1;
@@ -103,8 +109,9 @@ export class Viewer {
     this.perspective.near = robot.reach / 200;
     this.perspective.far = robot.reach * 200;
     const s = robot.reach;
-    this.sun.position.set(1.2 * s, -1.6 * s, 3.2 * s);
-    this.fill.position.set(-2 * s, 1.5 * s, 1.2 * s);
+    this.stand(robot.up);
+    this.sun.position.set(1.2 * s, -1.6 * s, 3.2 * s).applyQuaternion(this.upright);
+    this.fill.position.set(-2 * s, 1.5 * s, 1.2 * s).applyQuaternion(this.upright);
     const shadow = this.sun.shadow.camera;
     Object.assign(shadow, { left: -1.7 * s, right: 1.7 * s, top: 1.7 * s, bottom: -1.7 * s, near: 0.2 * s, far: 8 * s });
     shadow.updateProjectionMatrix();
@@ -118,6 +125,25 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** Which axis of the base points up: what the camera turns about, and what the ground is square to. */
+  private stand(up: Robot['up']): void {
+    const axis = new Vector3(Number(up === 'x'), Number(up === 'y'), Number(up === 'z'));
+    this.upright.setFromUnitVectors(new Vector3(0, 0, 1), axis);
+    this.ground.object.quaternion.copy(this.upright);
+    this.sky.position.copy(axis);
+    this.level();
+    // The turntable keeps the axis it was made with.
+    const turntable = this.controls as unknown as { _quat: Quaternion; _quatInverse: Quaternion };
+    turntable._quat.setFromUnitVectors(axis, new Vector3(0, 1, 0));
+    turntable._quatInverse.copy(turntable._quat).invert();
+  }
+
+  /** Brings the cameras upright again. */
+  level(): void {
+    for (const camera of [this.perspective, this.orthographic]) camera.up.set(0, 0, 1).applyQuaternion(this.upright);
+    this.controls.update();
+  }
+
   /** Light and dark. */
   setDark(dark: boolean): void {
     this.scene.background = null;
@@ -125,6 +151,7 @@ export class Viewer {
     this.sky.groundColor = new Color(dark ? 0x2a2d36 : 0x9a9ea8);
     this.ground.setDark(dark);
     this.path.setDark(dark);
+    this.outline.setDark(dark);
     this.ghosts.setDark(dark);
     this.real.setDark(dark);
     this.invalidate();
@@ -133,16 +160,17 @@ export class Viewer {
   /** Looks at the whole arm: from a named side, or from where the camera is. */
   fit(from: 'home' | 'front' | 'right' | 'top' | 'here'): void {
     const box = new Box3().setFromObject(this.arm.object);
-    if (box.isEmpty()) box.setFromCenterAndSize(new Vector3(0, 0, this.reach / 2), new Vector3(1, 1, 1).multiplyScalar(this.reach));
+    if (box.isEmpty()) box.setFromCenterAndSize(new Vector3(0, 0, this.reach / 2).applyQuaternion(this.upright), new Vector3(1, 1, 1).multiplyScalar(this.reach));
     const ball = box.getBoundingSphere(new Sphere());
     const directions = {
-      home: new Vector3(1, -1.25, 0.62), front: new Vector3(1, 0, 0), right: new Vector3(0, -1, 0),
-      top: new Vector3(0, -0.0001, 1), here: this.camera.position.clone().sub(this.controls.target),
+      home: new Vector3(1, -1.25, 0.62), front: new Vector3(1, 0, 0), right: new Vector3(0, -1, 0), top: new Vector3(0, -0.0001, 1),
     };
+    const direction = from === 'here' ? this.camera.position.clone().sub(this.controls.target) : directions[from].applyQuaternion(this.upright);
+    if (from !== 'here') this.level();
     const aspect = Math.min(1, this.perspective.aspect);
     const distance = (0.94 * ball.radius) / Math.sin((this.perspective.fov * Math.PI) / 360) / aspect;
     this.controls.target.copy(ball.center);
-    this.perspective.position.copy(ball.center).addScaledVector(directions[from].normalize(), distance);
+    this.perspective.position.copy(ball.center).addScaledVector(direction.normalize(), distance);
     this.orthographic.position.copy(this.perspective.position);
     this.matchOrthographic();
     this.controls.update();
@@ -153,6 +181,7 @@ export class Viewer {
   toggleProjection(): void {
     const next = this.camera === this.perspective ? this.orthographic : this.perspective;
     next.position.copy(this.camera.position);
+    next.up.copy(this.camera.up);
     this.camera = next;
     this.controls.object = next;
     this.matchOrthographic();

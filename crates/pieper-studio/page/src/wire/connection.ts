@@ -90,7 +90,7 @@ export class Connection {
   send(command: Command): Promise<unknown> {
     const id = this.next++;
     return new Promise((resolve, reject) => {
-      if (this.post({ id, ...command })) this.waiting.set(id, { resolve, reject });
+      if (this.post({ ...command, id })) this.waiting.set(id, { resolve, reject });
       else reject(new Error('not connected'));
     });
   }

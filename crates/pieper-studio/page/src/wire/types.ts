@@ -11,7 +11,7 @@ export interface Part { mesh: string; color: [number, number, number, number]; c
 export interface Link { name: string; joint: number | null; parts: Part[] }
 
 export interface Robot {
-  id: string; name: string; summary: string; source: string; revision: number;
+  id: string; name: string; summary: string; source: string; revision: number; up: 'x' | 'y' | 'z';
   joints: Joint[]; links: Link[];
   table: { convention: string; columns: string[]; rows: string[][] } | null;
   facts: [string, string][]; parameters: [string, string | null][]; problems: string[];

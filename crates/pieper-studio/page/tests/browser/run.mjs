@@ -66,6 +66,211 @@ const cases = [
     for (let k = 0; k < 6 && (await undo.isEnabled()); k++) { await undo.click(); await page.waitForTimeout(60); }
     await until(page, () => document.querySelector('[aria-label="J1 value"]').value, (value) => value === '0.00', 'undone');
   }],
+  ['the link under the pointer is outlined', 'ar3', async (page) => {
+    await pose(page, { 2: '40', 3: '50', 5: '20' });
+    const calls = () => page.evaluate(() => window.pieperViewer.statistics.calls);
+    await page.mouse.move(20, 300);
+    await page.waitForTimeout(300);
+    const [before, plain] = [await calls(), await pixels(page)];
+    await hover(page, await place(page, 2, [0.12, 0, 0]));
+    // The mask and the line; and the line is outside of the link.
+    await until(page, () => window.pieperViewer.statistics.calls, (now) => now > before + 1, 'more draw calls');
+    check((await calls()) <= 40, `${await calls()} draw calls`);
+    const violet = await page.evaluate(() => {
+      const { canvas } = window.pieperViewer;
+      const gl = canvas.getContext('webgl2');
+      const data = new Uint8Array(4 * canvas.width * canvas.height);
+      gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+      let found = 0;
+      for (let k = 0; k < data.length; k += 4) if (Math.abs(data[k] - 124) < 14 && Math.abs(data[k + 1] - 58) < 14 && Math.abs(data[k + 2] - 237) < 14) found += 1;
+      return found;
+    });
+    check(violet > 200, `${violet} pixels of the line, silhouette ${plain.box}`);
+  }],
+  ['the view tumbles over the pole where one asks for it, and comes back upright', 'ar3', async (page) => {
+    const up = () => page.evaluate(() => { const { camera } = window.pieperViewer; return [camera.matrixWorld.elements[6], camera.position.z]; });
+    const drag = async () => {
+      await page.mouse.move(150, 480);
+      await page.waitForTimeout(300);
+      await page.mouse.down();
+      for (let k = 1; k <= 8; k++) await page.mouse.move(150, 480 - 25 * k);
+      await page.mouse.up();
+      await page.waitForTimeout(200);
+    };
+    await drag();
+    check((await up())[0] >= 0, 'the turntable stays upright');
+    await page.keyboard.press('?');
+    await page.getByLabel(/turns the view freely/).check();
+    await page.keyboard.press('Escape');
+    await drag();
+    check((await up())[0] < 0, `upside down: ${await up()}`);
+    await page.locator('canvas').focus();
+    await page.keyboard.press('v');
+    await page.waitForTimeout(200);
+    check((await up())[0] > 0, 'upright again');
+  }],
+  ['the panel and the drawer take the size they are dragged to, and keep it', 'ar3', async (page) => {
+    const edge = page.getByRole('separator', { name: 'Width of the side panel' });
+    const width = () => page.locator('.panel').evaluate((panel) => panel.clientWidth);
+    const before = await width();
+    const box = await edge.boundingBox();
+    await page.mouse.move(box.x + 5, 300);
+    await page.mouse.down();
+    await page.mouse.move(box.x - 75, 300, { steps: 4 });
+    await page.mouse.up();
+    const after = await width();
+    check(Math.abs(after - before - 80) <= 2, `${before} to ${after}`);
+    await edge.focus();
+    await page.keyboard.press('ArrowRight');
+    await until(page, () => document.querySelector('.panel').clientWidth, (now) => now === after - 16, 'sixteen pixels by key');
+    await page.locator('#drawer-tab-log').click();
+    const drawer = page.getByRole('separator', { name: 'Height of the drawer' });
+    await drawer.focus();
+    const tall = await page.locator('.drawer-body').evaluate((body) => body.clientHeight);
+    await page.keyboard.press('ArrowUp');
+    await until(page, () => document.querySelector('.drawer-body').clientHeight, (now) => now === tall + 16, 'sixteen pixels higher');
+    await page.reload();
+    await ready(page);
+    check((await width()) === after - 16, 'kept over a reload');
+  }],
+  ['joint values are pasted, and what is no list of them is told', 'ar3', async (page, { context }) => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const value = (joint) => page.getByLabel(`J${joint} value`).inputValue();
+    const paste = (text) => page.evaluate((text) => {
+      const data = new DataTransfer();
+      data.setData('text/plain', text);
+      document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+    }, text);
+    for (const [text, third] of [['10, 20, 30, 0, 0, 0', '30.00'], ['q = [0.1rad; 0.2rad; pi/4 rad; 0; 0; 0]', '45.00'], ['5 10 15 0 0 0', '15.00'], ['(0\t20\t25\t0\t0\t0)', '25.00']]) {
+      await paste(text);
+      await until(page, () => document.querySelector('[aria-label="J3 value"]').value, (now) => now === third, text);
+    }
+    await paste('1, 2, 3');
+    await page.getByRole('alert').filter({ hasText: '"1, 2, 3" has 3 values: 6 were expected' }).waitFor();
+    await paste('1, 2, 3, fast, 5, 6');
+    await page.getByRole('alert').filter({ hasText: 'fast' }).waitFor();
+    check((await value(3)) === '25.00', 'nothing moved');
+    await page.getByRole('button', { name: 'Copy the joint values' }).click();
+    await page.getByRole('button', { name: 'Zero', exact: true }).click();
+    await until(page, () => document.querySelector('[aria-label="J3 value"]').value, (now) => now === '0.00', 'zero');
+    await page.getByRole('button', { name: /^Paste joint values/ }).click();
+    await until(page, () => document.querySelector('[aria-label="J3 value"]').value, (now) => now === '25.00', 'what was copied');
+  }],
+  ['keyframes are dragged to other times, one step of undo each', 'ar3', async (page) => {
+    for (const [t, q] of [[0, 0], [1, 0.4], [3, 0.8]]) {
+      await page.evaluate(([t, q]) => window.pieperConnection.send({ do: 'joints', q: [q, 0.2, 0.2, 0, 0.3, 0] }).then(() => window.pieperConnection.send({ do: 'keyframe', op: 'add', t })), [t, q]);
+    }
+    await page.locator('#drawer-tab-motion').click();
+    const mark = page.getByRole('slider', { name: 'Keyframe 2' });
+    const time = () => mark.evaluate((button) => Number(button.getAttribute('aria-valuenow')));
+    const box = await mark.boundingBox();
+    const last = await page.getByRole('slider', { name: 'Keyframe 3' }).boundingBox();
+    const first = await page.getByRole('slider', { name: 'Keyframe 1' }).boundingBox();
+    const second = (last.x + last.width / 2 - first.x - first.width / 2) / 3;
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 0.9 * second, y, { steps: 6 });
+    await page.mouse.up();
+    const moved = await until(page, () => Number([...document.querySelectorAll('.mark')].find((mark) => mark.textContent === '2').getAttribute('aria-valuenow')), (t) => Math.abs(t - 1.9) < 0.03, 'at 1.9 s');
+    await mark.focus();
+    await page.keyboard.press('ArrowLeft');
+    await until(page, () => Number([...document.querySelectorAll('.mark')].find((mark) => mark.textContent === '2').getAttribute('aria-valuenow')), (t) => Math.abs(t - moved + 0.1) < 1e-6, 'a tenth of a second back');
+    for (let k = 0; k < 2; k++) await page.getByRole('button', { name: /^Undo: move keyframe/ }).click();
+    await until(page, () => Number([...document.querySelectorAll('.mark')].find((mark) => mark.textContent === '2').getAttribute('aria-valuenow')), (t) => t === 1, 'where it began');
+    // Past another one, and not onto it.
+    await mark.focus();
+    for (let k = 0; k < 3; k++) { await page.keyboard.press('Shift+ArrowRight'); await page.waitForTimeout(120); }
+    check((await time()) === 2, `it waits before the other: ${await time()}`);
+  }],
+  ['keyframes are gone to, changed, moved by number and removed', 'ar3', async (page) => {
+    const add = (q) => page.evaluate((q) => window.pieperConnection.send({ do: 'joints', q: [q, 0.2, 0.2, 0, 0.3, 0] }).then(() => window.pieperConnection.send({ do: 'keyframe', op: 'add' })), q);
+    for (const q of [0.1, 0.2, 0.3]) await add(q);
+    await page.locator('#drawer-tab-motion').click();
+    const row = (k) => page.locator('.keyframes li').nth(k);
+    await row(0).locator('.keyframe-name').click();
+    await until(page, () => document.querySelector('[aria-label="J1 value"]').value, (value) => value === '5.73', 'the first posture');
+    await set(page, 1, '20');
+    await row(0).getByRole('button', { name: 'Set' }).click();
+    await row(1).locator('.keyframe-name').click();
+    await until(page, () => document.querySelector('[aria-label="J1 value"]').value, (value) => value === '11.46', 'the second posture');
+    await row(0).locator('.keyframe-name').click();
+    await until(page, () => document.querySelector('[aria-label="J1 value"]').value, (value) => value === '20.00', 'what was set');
+    const time = page.getByLabel('Time of keyframe 3');
+    await time.fill('5.5 s');
+    await time.press('Enter');
+    await until(page, () => document.querySelector('.transport .time').textContent, (text) => text.endsWith('/ 5.50 s'), 'a longer motion');
+    await page.getByRole('button', { name: 'Remove keyframe 3' }).click();
+    await until(page, () => document.querySelectorAll('.keyframes li').length, (count) => count === 2, 'two are left');
+  }],
+  ['every button, list and slider is answered', 'ar3', async (page) => {
+    for (const q of [0.1, 0.4]) await page.evaluate((q) => window.pieperConnection.send({ do: 'joints', q: [q, 0.2, 0.2, 0, 0.3, 0] }).then(() => window.pieperConnection.send({ do: 'keyframe', op: 'add' })), q);
+    // What opens another window or a file, and what moves a real arm or runs a script, has tests of its own.
+    const not = /Share|Snapshot|Open|Paste|Copy|Connect|Arm|Stop|Run|Close|Hold/;
+    let pressed = 0;
+    const all = async (inside) => {
+      for (const kind of ['button:not([role=tab]):not(:disabled)', 'select', 'input[type=range]']) {
+        const count = await page.locator(`${inside} ${kind}`).count();
+        for (let k = 0; k < count; k++) {
+          const one = page.locator(`${inside} ${kind}`).nth(k);
+          if (!(await one.count()) || !(await one.isVisible()) || !(await one.isEnabled())) continue;
+          const name = await one.evaluate((element) => element.getAttribute('aria-label') ?? element.textContent);
+          if (not.test(name)) continue;
+          if (kind === 'select') {
+            if ((await one.evaluate((select) => select.closest('label')?.textContent ?? '')).startsWith('Export')) continue;
+            const values = await one.locator('option').evaluateAll((options) => options.map((option) => option.value));
+            await one.selectOption(values.at(-1)).catch(() => {});
+          } else if (kind === 'button:not([role=tab]):not(:disabled)') {
+            await one.click({ timeout: 3000 });
+          } else {
+            await one.press('ArrowRight');
+          }
+          pressed += 1;
+          await until(page, () => window.pieperConnection.waiting.size, (waiting) => waiting === 0, `${inside}: ${name} is not answered`);
+          const alert = page.getByRole('alert');
+          check((await alert.count()) === 0, `${inside}: ${name}: ${await alert.allTextContents()}`);
+        }
+      }
+    };
+    for (const name of ['Joints', 'Tool', 'Solutions', 'Robot']) {
+      await page.getByRole('tab', { name: new RegExp(`^${name}`) }).first().click();
+      await all('.panel-body');
+    }
+    await all('.transport');
+    for (const name of ['motion', 'plots', 'formulas', 'log']) {
+      await page.locator(`#drawer-tab-${name}`).click();
+      await all('.drawer-body');
+    }
+    check(pressed > 45, `only ${pressed} were pressed`);
+  }],
+  ['an arm whose frame has Y up stands upright', 'abb-paper', async (page) => {
+    const up = await page.evaluate(() => window.pieperViewer.camera.up.toArray());
+    check(Math.abs(up[1] - 1) < 1e-9, `up is ${up}`);
+    await hover(page, await place(page, 2, [-0.04, 0, 0]));
+    await page.locator('.touch-label:not([hidden])').waitFor();
+    await page.locator('canvas').focus();
+    await page.keyboard.press('1');
+    await page.waitForTimeout(200);
+    const eye = await page.evaluate(() => { const { camera, controls } = window.pieperViewer; return camera.position.clone().sub(controls.target).normalize().toArray(); });
+    check(eye[0] > 0.99, `seen from the front: ${eye}`);
+  }],
+  ['at 200 % zoom everything is there', 'ar3', async (page) => {
+    await page.setViewportSize({ width: 640, height: 360 });
+    await page.waitForTimeout(300);
+    const stage = await page.locator('.stage').boundingBox();
+    check(stage.width > 300 && stage.height > 200, `the view is ${stage.width} by ${stage.height}`);
+    for (const name of ['Joints', 'Tool', 'Robot']) {
+      await page.getByRole('tab', { name, exact: true }).click();
+      const box = await page.locator('.panel-body').boundingBox();
+      check(box.height > 120 && box.x + box.width <= 641, `${name}: ${JSON.stringify(box)}`);
+    }
+    for (const name of ['motion', 'plots', 'script', 'log']) {
+      await page.locator(`#drawer-tab-${name}`).click();
+      await page.waitForTimeout(100);
+    }
+    await axe(page, '200 % zoom');
+    check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing to scroll sideways');
+  }],
   ['typed values are understood, and bad ones are told', 'ar3', async (page) => {
     for (const [text, shown] of [['45', '45.00'], ['pi/3', '60.00'], ['0.5rad', '28.65'], ['1e3', '170.00']]) {
       await set(page, 1, text);

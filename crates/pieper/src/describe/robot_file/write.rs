@@ -6,7 +6,7 @@ use super::transmission::half_turn;
 use crate::describe::dh::{DhRow, FrameExpr, JointExpr, Moves};
 use crate::describe::drives::{AngleExpr, CouplingExpr, GearExpr, MotorExpr};
 use crate::describe::expr::{Expr, Unit, with_variable};
-use crate::describe::robot::{Form, Robot};
+use crate::describe::robot::{Form, Robot, Up};
 use crate::describe::screws::Screw;
 use crate::error::{Error, Result};
 use crate::model::JointKind;
@@ -61,6 +61,9 @@ impl Robot {
             if !text.is_empty() {
                 writeln!(out, "{key} = {}", quoted(text))?;
             }
+        }
+        if self.up != Up::default() {
+            writeln!(out, "up = {}", quoted(self.up.name()))?;
         }
         if let Form::Dh(table) = &self.form {
             writeln!(out, "convention = {}", quoted(table.convention.name()))?;

@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             value
         };
     }
-    let body = Body::of_chain(&chain, &nalgebra::Vector3::z_axis());
+    let body = Body::of_chain(&chain, &Vector3::z_axis());
     let mut poses = Vec::new();
     Frames::Axes.at(&chain, &q, &mut poses);
     let mut picture = vec![[238_u8, 240, 243]; SIZE * SIZE];

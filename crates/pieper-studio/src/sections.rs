@@ -8,7 +8,7 @@ use pieper::ik::{Elbow, Shoulder, Solution, Wrist};
 use pieper::kinematics::{
     Jacobian, Reference, measures, pose_and_jacobian, tool_pose, tool_pose_by_quaternions,
 };
-use pieper::model::JointKind;
+use pieper::model::{JointKind, TreeLink};
 use pieper::motion::Profile;
 use pieper::spatial::to_rpy;
 use pieper_scene::frames::isometry;
@@ -162,7 +162,7 @@ impl Session {
         json!({
             "id": arm.id, "name": arm.robot.name, "summary": arm.robot.summary, "source": arm.robot.source, "revision": self.revision,
             "up": arm.robot.up.name(),
-            "joints": joints, "links": links, "table": table(&arm.robot.form),
+            "joints": joints, "links": links, "table": table(&arm.robot.form), "tree": tree(&arm.robot.form),
             "facts": [
                 ["solver", solver],
                 ["how", how],
@@ -302,6 +302,32 @@ fn kind(kind: JointKind) -> &'static str {
         JointKind::Continuous => "continuous",
         JointKind::Prismatic => "prismatic",
     }
+}
+
+/// The links of a tree, each with the one it hangs on and the joint between them; null for another description.
+fn tree(form: &Form) -> Value {
+    let Form::Tree { tree, .. } = form else {
+        return Value::Null;
+    };
+    let link = |(index, link): (usize, &TreeLink)| {
+        let carrier = tree.carrier(index);
+        let how = carrier.map(|joint| match (&joint.drive, joint.turns) {
+            (None, _) => "fixed".to_owned(),
+            (Some(drive), turns) => {
+                let variable = &tree.variables()[drive.variable];
+                match (variable.name == joint.name, turns) {
+                    (true, _) => kind(variable.kind).to_owned(),
+                    (false, true) => format!("turns with {}", variable.name),
+                    (false, false) => format!("slides with {}", variable.name),
+                }
+            }
+        });
+        json!({
+            "name": link.name, "parent": carrier.map(|joint| joint.parent),
+            "joint": carrier.map(|joint| joint.name.as_str()), "how": how,
+        })
+    };
+    tree.links().iter().enumerate().map(link).collect()
 }
 
 /// A Denavit-Hartenberg table as texts; null for another description.

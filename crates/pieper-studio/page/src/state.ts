@@ -80,7 +80,7 @@ export function seen(): void {
   store('hint', 'seen');
 }
 
-export const overlay = signal<'help' | 'palette' | null>(null);
+export const overlay = signal<'help' | 'palette' | 'picture' | null>(null);
 
 export const show = {
   ghosts: signal(false),

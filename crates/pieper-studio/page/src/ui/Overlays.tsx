@@ -4,6 +4,8 @@ import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { hintSeen, letters, overlay, phase, phaseText, said, seen, store, toasts, tumbling } from '../state';
 import { ACTIONS, tumble } from './keys';
 import { Icon, IconButton } from './icons';
+import { picture, snapshot } from './snapshot';
+import { Segments } from './Tool';
 
 function Dialog({ title, children }: { title: string; children: preact.ComponentChildren }) {
   const dialog = useRef<HTMLDialogElement>(null);
@@ -60,11 +62,25 @@ function Palette() {
   );
 }
 
+function PictureDialog() {
+  const { scale, transparent, overlays } = picture;
+  return (
+    <Dialog title="A picture of the view">
+      <div class="row"><span class="quiet">Size</span>
+        <Segments label="Size" value={String(scale.value)} options={[['1', '1×'], ['2', '2×'], ['4', '4×']]} onChange={(next) => (scale.value = Number(next))} /></div>
+      <label class="check"><input type="checkbox" checked={transparent.value} onChange={(event) => (transparent.value = event.currentTarget.checked)} /> Transparent background</label>
+      <label class="check"><input type="checkbox" checked={overlays.value} onChange={(event) => (overlays.value = event.currentTarget.checked)} /> Ground, frames, ways and ghosts, as they are shown</label>
+      <div class="row"><button type="button" class="text-button go" onClick={() => { overlay.value = null; void snapshot(); }}>Save as PNG</button></div>
+    </Dialog>
+  );
+}
+
 export function Overlays() {
   return (
     <>
       {overlay.value === 'help' && <Help />}
       {overlay.value === 'palette' && <Palette />}
+      {overlay.value === 'picture' && <PictureDialog />}
       {phase.value === 'lost' && <div class="notice" role="alert"><Icon name="warn" /> The connection to the program is lost. Trying again…</div>}
       {phase.value === 'refused' && <div class="notice" role="alert"><Icon name="warn" /> {phaseText.value}</div>}
       <div class="toasts">{toasts.value.map((toast) => <div key={toast.id} class={`toast ${toast.kind}`} role={toast.kind === 'error' ? 'alert' : 'status'}>{toast.text}</div>)}</div>

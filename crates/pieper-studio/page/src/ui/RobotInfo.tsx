@@ -1,9 +1,22 @@
 // The arm: its table, what is known of it, where its numbers come from.
 
 import { robot } from '../state';
+import type { TreeLink } from '../wire/types';
 import { Icon } from './icons';
 
 const HEADS: Record<string, string> = { theta: 'θ', alpha: 'α', d: 'd', a: 'a' };
+
+/** A link and, below it, what hangs on it. */
+function Branch({ links, at }: { links: TreeLink[]; at: number }) {
+  const link = links[at]!;
+  const below = links.flatMap((other, index) => (other.parent === at ? [index] : []));
+  return (
+    <li>
+      <span>{link.name}</span>{link.joint && <span class="quiet small"> by {link.joint}, {link.how}</span>}
+      {below.length > 0 && <ul>{below.map((index) => <Branch key={index} links={links} at={index} />)}</ul>}
+    </li>
+  );
+}
 
 export function RobotInfo() {
   const value = robot.value;
@@ -22,6 +35,7 @@ export function RobotInfo() {
           </table>
         </div>
       )}
+      {value.tree && <ul class="tree" aria-label="Links">{value.tree.flatMap((link, index) => (link.parent === null ? [<Branch key={index} links={value.tree!} at={index} />] : []))}</ul>}
       {value.parameters.length > 0 && (
         <dl class="facts">{value.parameters.map(([name, text]) => <><dt key={name}>{name}</dt><dd>{text ?? '?'}</dd></>)}</dl>
       )}

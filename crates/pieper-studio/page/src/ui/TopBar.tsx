@@ -3,7 +3,6 @@
 import { history, overlay, panelOpen, phase, robot, robots, roundTrip, send, show, store, theme, toast, units, type Theme } from '../state';
 import { isSnapshot } from '../wire/snapshot';
 import { Icon, IconButton } from './icons';
-import { snapshot } from './snapshot';
 
 async function choose(select: HTMLSelectElement): Promise<void> {
   const entry = robots.value.find((candidate) => candidate.id === select.value);
@@ -62,8 +61,8 @@ export function TopBar() {
       </span>
       <span class="group">
         <button type="button" class="text-button" title="Units (U)" aria-label={`Units: ${units.value.angle} and ${units.value.length}`} onClick={nextUnits}>{units.value.angle === 'deg' ? '°' : 'rad'} · {units.value.length}</button>
- <IconButton icon="download" label="Share: this view as one file that needs no program" onClick={() => location.assign('/api/share.html')} />
-        <IconButton icon="camera" label="Snapshot as PNG" keys="P" onClick={() => void snapshot(2)} />
+        <IconButton icon="download" label="Share: this view as one file that needs no program" onClick={() => location.assign('/api/share.html')} />
+        <IconButton icon="camera" label="A picture of the view" onClick={() => (overlay.value = 'picture')} />
         <IconButton icon={theme.value === 'system' ? 'auto' : theme.value === 'light' ? 'sun' : 'moon'} label={`Theme: ${theme.value}`} onClick={() => { theme.value = nextTheme[theme.value]; store('theme', theme.value); }} />
         <IconButton icon="help" label="Keys and gestures" keys="?" onClick={() => (overlay.value = 'help')} />
         <IconButton icon="panel" label="Side panel" pressed={panelOpen.value} onClick={() => (panelOpen.value = !panelOpen.value)} />

@@ -115,6 +115,11 @@ export class Arm {
     this.invalidate();
   }
 
+  /** Whether the links' frames are drawn. */
+  get framesShown(): boolean {
+    return this.axes.some((axes) => axes.visible);
+  }
+
   showFrames(on: boolean): void {
     for (const axes of this.axes) axes.visible = on;
     this.invalidate();

@@ -144,6 +144,19 @@ export class Viewer {
     this.controls.update();
   }
 
+  /** Takes away what is not the arm: frames, lines, ghosts, handles and the ground. What it returns brings them back. */
+  strip(): () => void {
+    const kept = new Set<Object3D>([this.sky, this.sun, this.sun.target, this.fill, this.arm.object, this.real.object]);
+    const hidden = this.scene.children.filter((child) => child.visible && !kept.has(child));
+    const frames = this.arm.framesShown;
+    hidden.forEach((child) => (child.visible = false));
+    this.arm.showFrames(false);
+    return () => {
+      hidden.forEach((child) => (child.visible = true));
+      this.arm.showFrames(frames);
+    };
+  }
+
   /** Light and dark. */
   setDark(dark: boolean): void {
     this.scene.background = null;

@@ -10,10 +10,13 @@ export interface Joint {
 export interface Part { mesh: string; color: [number, number, number, number]; collision: boolean; placed: number[][] }
 export interface Link { name: string; joint: number | null; parts: Part[] }
 
+export interface TreeLink { name: string; parent: number | null; joint: string | null; how: string | null }
+
 export interface Robot {
   id: string; name: string; summary: string; source: string; revision: number; up: 'x' | 'y' | 'z';
   joints: Joint[]; links: Link[];
   table: { convention: string; columns: string[]; rows: string[][] } | null;
+  tree: TreeLink[] | null;
   facts: [string, string][]; parameters: [string, string | null][]; problems: string[];
   reach: number; outline: [number, number][]; outline_frame: number[][];
 }

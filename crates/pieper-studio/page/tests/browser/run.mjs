@@ -243,6 +243,33 @@ const cases = [
     }
     check(pressed > 45, `only ${pressed} were pressed`);
   }],
+  ['a picture is saved in the size asked for, with and without what lies over the arm', 'ar3', async (page) => {
+    const take = async (scale, bare) => {
+      await page.getByRole('button', { name: 'A picture of the view' }).click();
+      await page.getByRole('radio', { name: scale }).click();
+      await page.getByLabel(/Ground, frames/).setChecked(!bare);
+      await page.getByLabel('Transparent background').setChecked(bare);
+      const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save as PNG' }).click()]);
+      const bytes = await readFile(await download.path());
+      check(download.suggestedFilename() === 'ar3.png' && bytes.subarray(1, 4).toString() === 'PNG', 'a PNG');
+      return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20), bytes };
+    };
+    const view = await page.locator('canvas').boundingBox();
+    const whole = await take('2×', false);
+    check(Math.abs(whole.width - 2 * view.width) <= 2 && Math.abs(whole.height - 2 * view.height) <= 2, `${whole.width} by ${whole.height}`);
+    const bare = await take('1×', true);
+    check(Math.abs(bare.width - view.width) <= 1, `${bare.width} wide`);
+    // Its corners are clear, where the other has a background.
+    const corner = ({ bytes }) => page.evaluate(async (data) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(data)]));
+      const ink = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      ink.drawImage(image, 0, 0);
+      return ink.getImageData(3, image.height - 3, 1, 1).data[3];
+    }, [...bytes]);
+    check((await corner(whole)) === 255 && (await corner(bare)) === 0, 'backgrounds');
+    // And what was hidden is there again.
+    check(await page.evaluate(() => window.pieperViewer.ground.object.visible && window.pieperViewer.tool.visible), 'the ground is back');
+  }],
   ['an arm whose frame has Y up stands upright', 'abb-paper', async (page) => {
     const up = await page.evaluate(() => window.pieperViewer.camera.up.toArray());
     check(Math.abs(up[1] - 1) < 1e-9, `up is ${up}`);

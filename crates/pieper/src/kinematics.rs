@@ -13,6 +13,7 @@ pub mod kernel;
 pub(crate) mod lanes;
 mod measures;
 mod orientation;
+mod ortho;
 mod quaternion;
 mod reach;
 mod single;

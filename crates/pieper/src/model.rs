@@ -15,8 +15,8 @@ mod joint;
 mod shape;
 mod tree;
 
-pub(crate) use canonical::PACK;
 pub use canonical::{Canonical, LinkShape, Row, Rows, Step};
+pub(crate) use canonical::{Names, Ortho, PACK, StepRow};
 pub use chain::{Chain, ChainParts};
 pub use joint::{Drive, Joint, JointKind, Limits, Motion, Variable};
 pub use shape::{Geometry, Shape};

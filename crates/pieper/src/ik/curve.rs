@@ -265,6 +265,13 @@ pub(super) fn follow(
     Followed::Open
 }
 
+/// How far two points are from one another in the first `count` variables.
+fn gap(arm: &Arm, a: &JointVector, b: &JointVector, count: usize) -> f64 {
+    let mut gap = difference(arm, a, b);
+    gap[count..].fill(0.0);
+    norm(&gap)
+}
+
 /// Whether the curve through `member` passes through `q`, as far as the first `count` variables tell.
 pub(super) fn passes(
     arm: &Arm,
@@ -273,15 +280,10 @@ pub(super) fn passes(
     q: &JointVector,
     count: usize,
 ) -> bool {
-    let gap = |at: &JointVector| {
-        let mut gap = difference(arm, at, q);
-        gap[count..].fill(0.0);
-        norm(&gap)
-    };
     let mut met = false;
     follow(arm, member, heading, target, |at, _| {
-        if gap(at) < STRIDE {
-            met = gap(&closest(arm, at, target, q, count)) < SAME_POINT;
+        if gap(arm, at, q, count) < STRIDE {
+            met = gap(arm, &closest(arm, at, target, q, count), q, count) < SAME_POINT;
         }
         !met
     });
@@ -301,6 +303,13 @@ pub(super) fn closest(
     q: &JointVector,
     count: usize,
 ) -> JointVector {
+    // A last step is no longer than what Newton's method still moves a point of the curve by: it only has to come closer.
+    let settle = |from: &JointVector, tangent: &JointVector, along: f64| {
+        let start = stepped(arm, from, tangent, along);
+        let (next, error) = newton(arm, &start, target, Some(tangent), ON_CURVE);
+        let is_last = along.abs() < TRIALS[0] && error < TOLERANCES.closes;
+        (is_last && gap(arm, &next, q, count) < gap(arm, from, q, count)).then_some(next)
+    };
     let mut at = *at;
     for _ in 0..30 {
         let tangent = heading(arm, &at, target);
@@ -314,7 +323,7 @@ pub(super) fn closest(
         if along.abs() < TOLERANCES.exact {
             break;
         }
-        match advance(arm, &at, &tangent, along, target) {
+        match advance(arm, &at, &tangent, along, target).or_else(|| settle(&at, &tangent, along)) {
             Some(next) => at = next,
             None => break,
         }

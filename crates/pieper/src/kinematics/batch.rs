@@ -9,10 +9,11 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::single;
-use super::tile::{self, Names, TILE};
+use super::kernel::Frame;
+use super::tile::{self, TILE};
+use super::{lanes, ortho, single};
 use crate::error::{Error, Result};
-use crate::model::{Canonical, Chain, PACK, Step};
+use crate::model::{Canonical, Chain, Names, Ortho, PACK, Step};
 use crate::spatial::Pose;
 
 /// Rows of equal length, each beginning on a cache line: then no register straddles two of them.
@@ -291,6 +292,9 @@ fn tiles<S: Simd>(
     for (column, entries) in columns.iter_mut().zip(out.iter_mut()) {
         *column = S::as_mut_simd_f64s(entries).0;
     }
+    if let Some(arm) = canonical.ortho() {
+        return by_formulas(simd, arm, &rows, &mut columns, registers);
+    }
     let names = Names::before(&canonical.steps);
     let mut first = registers.start;
     while first < registers.end {
@@ -306,6 +310,31 @@ fn tiles<S: Simd>(
         first = last;
     }
     first
+}
+
+/// As [`tiles`], for the most common kind of arm.
+#[inline(always)]
+fn by_formulas<S: Simd>(
+    simd: S,
+    arm: &Ortho,
+    rows: &[&[S::f64s]; PACK],
+    columns: &mut [&mut [S::f64s]; ENTRIES],
+    registers: Range<usize>,
+) -> usize {
+    let end = registers.end;
+    let [a, b, c, d, e, f] = arm.variables.map(|variable| rows[variable]);
+    for index in registers {
+        let joints = [a[index], b[index], c[index], d[index], e[index], f[index]];
+        let (Frame { x, y, z, p }, sizes) = ortho::poses(simd, arm, joints);
+        let entries = [x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, p.x, p.y, p.z];
+        for (column, value) in columns.iter_mut().zip(entries) {
+            column[index] = value;
+        }
+        if !lanes::all_small(sizes) {
+            return index;
+        }
+    }
+    end
 }
 
 /// One pose with the standard library's sine and cosine; the vector's index if a value is not finite.

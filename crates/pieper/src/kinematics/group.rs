@@ -5,6 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::batch::ENTRIES;
 use super::kernel::{Frame, Turn};
 use super::lanes::{self, LaneColumn, Lanes};
+use super::ortho;
 use super::single::{self, Moved};
 use crate::model::{Canonical, PACK, Step};
 use crate::scalar::Scalar;
@@ -53,6 +54,19 @@ impl WithSimd for Group<'_> {
         }
         for block in 0..GROUP / width {
             let joint = |variable: usize| S::as_simd_f64s(&self.q[variable]).0[block];
+            if let Some(arm) = self.canonical.ortho() {
+                let [a, b, c, d, e, f] = arm.variables;
+                let joints = [joint(a), joint(b), joint(c), joint(d), joint(e), joint(f)];
+                let (Frame { x, y, z, p }, sizes) = ortho::poses(simd, arm, joints);
+                let entries = [x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, p.x, p.y, p.z];
+                for (column, value) in columns.iter_mut().zip(entries) {
+                    column[block] = value;
+                }
+                if !lanes::all_small(sizes) {
+                    return false;
+                }
+                continue;
+            }
             let store = |entry: usize, value: S::f64s| columns[entry][block] = value;
             if !several(simd, self.canonical, joint, &mut turns, store) {
                 return false;
@@ -137,6 +151,5 @@ fn several<S: Simd>(
     store(9, p.x);
     store(10, p.y);
     store(11, p.z);
-    let small = simd.less_than_f64s(sizes.value, simd.splat_f64s(lanes::MAX_REDUCED));
-    lanes::all_true(simd, small)
+    lanes::all_small(sizes)
 }

@@ -93,10 +93,11 @@ struct Levers<'a> {
 
 impl Record for Levers<'_> {
     #[inline(always)]
-    fn axis<C: SpaceColumn>(&mut self, _: &Step, frame: &Frame<C>) {
-        let (upper, lower) = halves(&mut self.columns[self.count]);
-        *upper = frame.p.store();
-        *lower = frame.z.store();
+    fn axis<C: SpaceColumn>(&mut self, step: &Step, frame: &Frame<C>) {
+        let column = &mut self.columns[self.count];
+        // As a whole register, which is one store; the fourth entry is written again below.
+        column[..4].copy_from_slice(&frame.p.padded());
+        column[3..].copy_from_slice(&frame.z.scaled(&step.drive.factor).store());
         self.count += 1;
     }
 
@@ -104,12 +105,11 @@ impl Record for Levers<'_> {
     fn tool<C: SpaceColumn>(&mut self, tool: &Frame<C>) {
         for (column, step) in self.columns.iter_mut().zip(&self.canonical.steps) {
             let (upper, lower) = halves(column);
-            let z = tool.z.load(lower).scaled(&step.drive.factor);
             if step.turns {
-                *upper = z.cross(&tool.p.minus(&tool.p.load(upper))).store();
-                *lower = z.store();
+                let lever = tool.p.minus(&tool.p.load(upper));
+                *upper = tool.z.load(lower).cross(&lever).store();
             } else {
-                (*upper, *lower) = (z.store(), [0.0; 3]);
+                (*upper, *lower) = (*lower, [0.0; 3]);
             }
         }
     }

@@ -256,20 +256,29 @@ fn in_quarter<S: Simd>(simd: S, shifted: Lanes<S>, sin: Lanes<S>, cos: Lanes<S>)
 fn polynomials<S: Simd>(r: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
     let splat = |value| Lanes::splat(r.simd, value);
     let z = r * r;
-    let square = z * z;
     // Fused, the last steps round once each: the result is within one unit in the last place.
-    let sin = (z * r).mul_add(in_pairs(z, square, &SIN), r);
-    let cos = in_pairs(z, square, &COS).mul_add(z, splat(-0.5));
+    let sin = (z * r).mul_add(polynomial(z, SIN), r);
+    let cos = polynomial(z, COS).mul_add(z, splat(-0.5));
     (sin, cos.mul_add(z, splat(1.0)))
 }
 
-/// A polynomial in x, lowest coefficient first, by pairs of terms (Estrin 1960): they do not wait for one another.
+/// A polynomial in x, lowest coefficient first (Horner).
 #[inline(always)]
-fn in_pairs<S: Simd>(x: Lanes<S>, square: Lanes<S>, [a, b, c, d, e, f]: &[f64; 6]) -> Lanes<S> {
-    let pair =
-        |low: f64, high: f64| Lanes::splat(x.simd, high).mul_add(x, Lanes::splat(x.simd, low));
-    let upper = pair(*e, *f).mul_add(square, pair(*c, *d));
-    upper.mul_add(square, pair(*a, *b))
+fn polynomial<S: Simd>(x: Lanes<S>, [a, b, c, d, e, f]: [f64; 6]) -> Lanes<S> {
+    let plus = |sum: Lanes<S>, coefficient: f64| sum.mul_add(x, Lanes::splat(x.simd, coefficient));
+    plus(
+        plus(plus(plus(plus(Lanes::splat(x.simd, f), e), d), c), b),
+        a,
+    )
+}
+
+/// Whether every lane is at most [`MAX_REDUCED`], and a number.
+#[inline(always)]
+pub(super) fn all_small<S: Simd>(Lanes { simd, value }: Lanes<S>) -> bool {
+    all_true(
+        simd,
+        simd.less_than_f64s(value, simd.splat_f64s(MAX_REDUCED)),
+    )
 }
 
 /// Whether a mask holds for every lane.

@@ -154,6 +154,9 @@ pub(super) trait SpaceColumn: Column<Scalar = f64> {
     /// `self - other`
     fn minus(&self, other: &Self) -> Self;
 
+    /// The column as a register is stored: three numbers and one of no meaning.
+    fn padded(&self) -> [f64; 4];
+
     /// Three numbers as a column like this one.
     fn load(&self, from: &[f64; 3]) -> Self;
 
@@ -171,6 +174,11 @@ impl SpaceColumn for [f64; 3] {
     #[inline(always)]
     fn minus(&self, other: &Self) -> Self {
         [self[0] - other[0], self[1] - other[1], self[2] - other[2]]
+    }
+
+    #[inline(always)]
+    fn padded(&self) -> [f64; 4] {
+        [self[0], self[1], self[2], 0.0]
     }
 
     #[inline(always)]

@@ -12,9 +12,8 @@ use pulp::Simd;
 use super::kernel::{Frame, Turn, combine};
 use super::lanes::{self, LaneColumn, Lanes, Reduced};
 use super::single;
-use crate::model::{Canonical, LinkShape, Step};
+use crate::model::{Canonical, Names, Step, StepRow};
 use crate::scalar::Scalar;
-use crate::spatial::Quarters;
 
 /// The most registers in a tile: enough to keep the processor busy, few enough for the nearest cache.
 pub(super) const TILE: usize = 16;
@@ -46,7 +45,7 @@ pub(super) fn poses<'a, S: Simd + 'a>(
         let [factor, offset] =
             [step.drive.factor, step.drive.offset].map(|x| Lanes::splat(simd, 2.0 * x * x));
         sizes = sizes + squares(simd, values).mul_add(factor, offset);
-        match Row::of(step) {
+        match StepRow::of(step) {
             Some(row) => {
                 turns.set(step, tile.names.signs[0], values);
                 match index == 0 && upright(&base, steps) {
@@ -78,7 +77,7 @@ pub(super) fn poses<'a, S: Simd + 'a>(
 #[inline(always)]
 fn upright(base: &Frame<[f64; 3]>, steps: &[Step]) -> bool {
     let is_turned = [base.x, base.y, base.z] != [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    !is_turned && steps.first().and_then(Row::of).is_some()
+    !is_turned && steps.first().and_then(StepRow::of).is_some()
 }
 
 /// The sum of the squares of a step's values: unlike a maximum, it keeps what is not a number.
@@ -136,75 +135,6 @@ impl<S: Simd> Turns<S> {
         }
         for (turn, (reduced, _)) in self.turns.iter_mut().zip(self.reduced.iter().zip(values)) {
             *turn = reduced.sin_cos();
-        }
-    }
-}
-
-/// Which of the stored columns y and z are the axes y and z.
-#[derive(Clone, Copy)]
-pub(super) struct Names {
-    /// The stored columns are exchanged.
-    swapped: bool,
-    /// The signs of y and of z.
-    signs: [f64; 2],
-}
-
-impl Names {
-    const PLAIN: Self = Self {
-        swapped: false,
-        signs: [1.0; 2],
-    };
-
-    /// The names behind a twist about x.
-    #[inline(always)]
-    fn twisted(self, quarters: Quarters) -> Self {
-        let [y, z] = self.signs;
-        let (swap, signs) = match quarters {
-            Quarters::None => (false, [y, z]),
-            Quarters::Plus => (true, [z, -y]),
-            Quarters::Minus => (true, [-z, y]),
-            Quarters::Half => (false, [-y, -z]),
-        };
-        Self {
-            swapped: self.swapped != swap,
-            signs,
-        }
-    }
-
-    /// The names in front of steps, such that they are plain behind them or in front of the first that is no row.
-    pub(super) fn before(steps: &[Step]) -> Self {
-        let rows = steps.iter().map_while(Row::of).count();
-        let twists = steps[..rows].iter().rev().filter_map(Row::of);
-        twists.fold(Self::PLAIN, |names, row| {
-            names.twisted(match row.quarters {
-                Quarters::Plus => Quarters::Minus,
-                Quarters::Minus => Quarters::Plus,
-                same => same,
-            })
-        })
-    }
-}
-
-/// A link that is `Tz(d) Tx(a) Rx(quarters)` behind a joint that turns: most links of most arms.
-#[derive(Clone, Copy)]
-struct Row {
-    d: f64,
-    a: f64,
-    quarters: Quarters,
-}
-
-impl Row {
-    #[inline(always)]
-    fn of(step: &Step) -> Option<Self> {
-        match step.link {
-            LinkShape::Dh {
-                theta: None,
-                d,
-                a,
-                quarters: Some(quarters),
-                ..
-            } if step.turns => Some(Self { d, a, quarters }),
-            _ => None,
         }
     }
 }
@@ -320,7 +250,7 @@ impl<'a, S: Simd> Tile<'a, S> {
 
     /// As [`Tile::row`], on a frame without any turn and with its origin at `p`.
     #[inline(always)]
-    fn first_row(&mut self, row: Row, turns: &Turns<S>, [x, y, z]: [f64; 3]) {
+    fn first_row(&mut self, row: StepRow, turns: &Turns<S>, [x, y, z]: [f64; 3]) {
         let simd = self.simd;
         let (second, third) = match self.names.swapped {
             true => (&mut self.z, &mut self.y),
@@ -375,7 +305,7 @@ impl<'a, S: Simd> Tile<'a, S> {
 
     /// Runs a step that is a row. `turns` go the other way where y has the other sign.
     #[inline(always)]
-    fn row(&mut self, row: Row, turns: &Turns<S>) {
+    fn row(&mut self, row: StepRow, turns: &Turns<S>) {
         let simd = self.simd;
         let (y, z) = match self.names.swapped {
             true => (&mut self.z, &self.y),

@@ -1,11 +1,17 @@
 //! The chain as kernels and solvers want it: every motion about or along z, every link constant.
 
+mod names;
+mod ortho;
+
 use nalgebra::{Matrix3, Rotation3, UnitVector3, Vector3};
 
 use super::chain::ChainParts;
 use super::joint::{Drive, Motion};
 use crate::error::{Error, Result};
 use crate::spatial::{self, Pose, Quarters};
+
+pub(crate) use names::{Names, StepRow};
+pub(crate) use ortho::Ortho;
 
 /// `base_from_tool = base * Z_1(q) L_1 * Z_2(q) L_2 * ... * Z_m(q) L_m * tail`.
 ///
@@ -20,6 +26,7 @@ pub struct Canonical {
     /// What is left between the last link and the tool; `None` where it is the identity.
     pub tail: Option<Pose>,
     packed: PackedDrives,
+    ortho: Option<Ortho>,
 }
 
 /// The drives of all steps as arrays that vector instructions load, padded with zeros to a multiple of [`PACK`].
@@ -140,12 +147,20 @@ impl Canonical {
         }
         let tail = (carried != Pose::identity()).then_some(carried);
         let packed = PackedDrives::of(&steps);
-        Self {
+        let mut canonical = Self {
             base,
             steps,
             tail,
             packed,
-        }
+            ortho: None,
+        };
+        canonical.ortho = Ortho::of(&canonical);
+        canonical
+    }
+
+    /// The arm as one with a spherical wrist behind two parallel axes, if it is of that kind.
+    pub(crate) fn ortho(&self) -> Option<&Ortho> {
+        self.ortho.as_ref()
     }
 
     pub(crate) fn packed(&self) -> &PackedDrives {

@@ -1,6 +1,7 @@
 //! Many poses at once equal one at a time.
 
 use crate::support::{arms, difference, random_joints};
+use pieper::describe::Robot;
 use pieper::kinematics::batch::{JointBatch, PoseBatch, tool_poses};
 use pieper::kinematics::{link_poses, tool_pose, tool_pose_by_quaternions};
 
@@ -35,6 +36,57 @@ fn four_ways_to_the_tool_pose_agree() {
                 let off = difference(&pose, &other);
                 assert!(off < scale, "{id}: {way} is off by {off:e} at {q:?}");
             }
+        }
+    }
+}
+
+/// Arms with a spherical wrist behind two parallel axes go by formulas: twists either way round, every offset there or
+/// not, joints that count backwards, the foot anywhere.
+#[test]
+fn industrial_arms_of_every_make() {
+    let mut random = fastrand::Rng::with_seed(11);
+    for arm in 0..400 {
+        let mut pick = |all: &[&str]| all[random.usize(..all.len())].to_owned();
+        let square = ["pi/2", "-pi/2"];
+        let twists = [
+            pick(&square),
+            pick(&["0", "pi"]),
+            pick(&square),
+            pick(&square),
+            pick(&square),
+            pick(&["0", "pi", "pi/2", "-pi/2"]),
+        ];
+        let mut text = "name = 'arm'\nconvention = 'standard'\n".to_owned();
+        for (joint, twist) in twists.iter().enumerate() {
+            let mut length = |there: bool| match there && random.bool() {
+                true => 2.0 * random.f64() - 1.0,
+                false => 0.0,
+            };
+            let (d, a) = (length(joint != 4), length(joint < 3));
+            let sign = if random.bool() { '-' } else { '+' };
+            let offset = ["0", "pi/2", "-pi/2", "pi", "0.3"][random.usize(..5)];
+            text += &format!(
+                "[[joint]]\ntheta = '{offset} {sign} q{}'\nd = {d}\na = {a}\nalpha = '{twist}'\n",
+                joint + 1
+            );
+        }
+        text += &format!("[base]\nxyz = [0.1, {}, -0.2]\n", random.f64());
+        let chain = Robot::from_toml("arm.toml", &text)
+            .unwrap()
+            .chain()
+            .unwrap();
+        let mut batch = JointBatch::zeros(6, 16);
+        let inputs: Vec<Vec<f64>> = (0..16)
+            .map(|_| random_joints(&chain, &mut random))
+            .collect();
+        for (index, q) in inputs.iter().enumerate() {
+            batch.set(index, q);
+        }
+        let mut poses = PoseBatch::zeros(16);
+        tool_poses(&chain, &batch, &mut poses).unwrap();
+        for (index, q) in inputs.iter().enumerate() {
+            let off = difference(&tool_pose(&chain, q).unwrap(), &poses.get(index));
+            assert!(off < 1e-14, "arm {arm}, off by {off:e} at {q:?}:\n{text}");
         }
     }
 }

@@ -90,6 +90,11 @@ impl SpaceColumn for Quad {
     }
 
     #[inline(always)]
+    fn padded(&self) -> [f64; 4] {
+        pulp::cast(self.value)
+    }
+
+    #[inline(always)]
     fn load(&self, from: &[f64; 3]) -> Self {
         Self::new(self.simd, *from)
     }

@@ -125,11 +125,7 @@ fn more_joints_than_conditions() {
                 }
                 on_one += usize::from(contains(&solver, &q, &found, 1e-6));
             }
-            assert!(
-                on_one >= 5,
-                "{id} {goal:?} {}: {on_one} of 6",
-                solver.choice().name
-            );
+            assert_eq!(on_one, 6, "{id} {goal:?} {}", solver.choice().name);
         }
     }
 }

@@ -31,6 +31,7 @@ mod elimination;
 mod extend;
 mod family;
 mod fewer;
+mod four;
 pub mod general;
 mod goal;
 mod limits;

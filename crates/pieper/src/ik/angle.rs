@@ -35,6 +35,12 @@ pub(super) fn turn_between(from: [f64; 2], to: [f64; 2]) -> (f64, f64) {
     unit((cross, dot))
 }
 
+/// The length of a plane vector. Those of arms are far from where squares overflow.
+#[inline]
+pub(super) fn length(v: [f64; 2]) -> f64 {
+    (v[0] * v[0] + v[1] * v[1]).sqrt()
+}
+
 /// The pair divided by its length.
 #[inline]
 pub(super) fn unit((sin, cos): (f64, f64)) -> (f64, f64) {
@@ -128,7 +134,7 @@ const SLACK_REACH: f64 = 16.0;
 /// All `x` with `a cos x + b sin x = c`: two, or one where they merge, and by how much `c` is too large if none.
 #[inline]
 pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
-    let length = a.hypot(b);
+    let length = length([a, b]);
     let middle = (b / length, a / length);
     let (excess, ratio) = (c.abs() - length, c / length);
     let square = (length - c) * (length + c) / (length * length);

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::angle::{is_periodic, wrap};
+use super::limits;
 use super::solutions::JointVector;
 use crate::error::{Error, Result};
 use crate::kinematics;
@@ -30,6 +31,7 @@ pub struct Arm {
     scale: f64,
     plain: bool,
     periodic: [bool; MAX_JOINTS],
+    bounds: [JointVector; 2],
 }
 
 impl Arm {
@@ -67,6 +69,7 @@ impl Arm {
         let extent = whole.max(size) + canonical.base.translation.vector.norm();
         Ok(Self {
             plain,
+            bounds: limits::bounds(chain),
             periodic: std::array::from_fn(|j| j < chain.dof() && is_periodic(chain, j)),
             size,
             extent,
@@ -120,6 +123,11 @@ impl Arm {
     /// Whether every step has a variable of its own; closed forms need that.
     pub fn is_independent(&self) -> bool {
         self.chain.dof() == self.steps() && self.drives.iter().all(|drive| drive.factor != 0.0)
+    }
+
+    /// The least and the greatest values within the limits, with what rounding may add; infinite where there are none.
+    pub(super) fn bounds(&self) -> &[JointVector; 2] {
+        &self.bounds
     }
 
     pub(super) fn drives(&self) -> &[Drive] {

@@ -4,20 +4,30 @@ use std::f64::consts::TAU;
 
 use super::TOLERANCES;
 use super::angle::is_periodic;
-use super::arm::Arm;
+use super::arm::{Arm, MAX_JOINTS};
 use super::curve;
 use super::solutions::{JointVector, Solution, Solutions};
 use crate::model::Chain;
 
+/// The least and the greatest values within the joints' limits, with what rounding may add; infinite where there are none.
+pub(super) fn bounds(chain: &Chain) -> [JointVector; 2] {
+    let mut bounds = [[f64::NEG_INFINITY; MAX_JOINTS], [f64::INFINITY; MAX_JOINTS]];
+    for (j, variable) in chain.variables().iter().enumerate().take(MAX_JOINTS) {
+        if let Some(limits) = variable.limits {
+            bounds[0][j] = limits.lower() - TOLERANCES.limit;
+            bounds[1][j] = limits.upper() + TOLERANCES.limit;
+        }
+    }
+    bounds
+}
+
 /// Whether every value lies within its joint's limits.
-#[inline]
-pub(super) fn within(chain: &Chain, q: &JointVector) -> bool {
-    chain.variables().iter().zip(q).all(|(variable, &value)| {
-        variable.limits.is_none_or(|limits| {
-            let slack = TOLERANCES.limit;
-            limits.lower() - slack <= value && value <= limits.upper() + slack
-        })
-    })
+pub(super) fn within([lower, upper]: &[JointVector; 2], q: &JointVector) -> bool {
+    let mut within = true;
+    for ((value, lower), upper) in q.iter().zip(lower).zip(upper) {
+        within &= lower <= value && value <= upper;
+    }
+    within
 }
 
 /// Whether every value, or a copy of it by whole turns, lies within its joint's limits.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::TOLERANCES;
-use super::angle::{LinearRoots, Roots, forth, solve_linear, turn_between, unit};
+use super::angle::{LinearRoots, Roots, forth, length, solve_linear, turn_between, unit};
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
@@ -210,7 +210,7 @@ impl Loop {
     /// The combination of the two equations in which the angle of these rows does not occur, if there is one.
     fn weights(&self, rows: [&Linear; 2]) -> Option<[f64; 2]> {
         let [u, v] = rows.map(|row| [row.c, row.s]);
-        let (lu, lv) = (u[0].hypot(u[1]), v[0].hypot(v[1]));
+        let (lu, lv) = (length(u), length(v));
         let cross = u[0] * v[1] - u[1] * v[0];
         let tolerance = TOLERANCES.exact.max(16.0 * self.slack);
         if cross.abs() > tolerance * lu.max(lv) {
@@ -291,7 +291,7 @@ impl Loop {
         constant: f64,
         sink: &mut Sink<'_>,
     ) -> (Roots, (f64, f64), f64) {
-        let length = row.c.hypot(row.s);
+        let length = length([row.c, row.s]);
         let cosine = -(row.k + constant) / length;
         sink.fail(Part::Inside, (cosine.abs() - 1.0) * length * self.size);
         (
@@ -362,7 +362,6 @@ impl Loop {
             self.direction_behind(outer.f),
         );
         let (y, m) = ([y.x, y.y], [m.x, m.y]);
-        let length = |v: [f64; 2]| v[0].hypot(v[1]);
         let shortest = length(y).min(length(m));
         let free = shortest < TOLERANCES.free;
         if !free {
@@ -476,7 +475,7 @@ struct Cone {
 impl Cone {
     fn new(u: &Vector3<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> Option<Self> {
         let row = turned_dot(u, v);
-        let length = row.c.hypot(row.s);
+        let length = length([row.c, row.s]);
         if length < TOLERANCES.class {
             return None;
         }

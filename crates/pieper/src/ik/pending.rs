@@ -23,6 +23,8 @@ pub(super) struct Pending {
 /// The same as joint values, with what they miss the pose by.
 pub(super) struct Measured {
     q: [[f64; GROUP]; MAX_JOINTS],
+    /// Whether all of them lie within the joints' limits.
+    pub(super) within: [bool; GROUP],
     /// The largest entries of the difference: rotation, position. `None` if they have still to be measured.
     pub(super) misses: Option<[[f64; GROUP]; 2]>,
 }
@@ -53,13 +55,14 @@ impl Pending {
     pub(super) fn measure(&self, arm: &Arm, pose: &Pose) -> Measured {
         let mut measured = Measured {
             q: [[0.0; GROUP]; MAX_JOINTS],
+            within: [true; GROUP],
             misses: None,
         };
-        let q = &mut measured.q;
         Arch::new().dispatch(Angles {
             pending: self,
             arm,
-            q,
+            q: &mut measured.q,
+            within: &mut measured.within,
         });
         let mut entries = [[0.0; GROUP]; ENTRIES];
         let canonical = arm.chain().canonical();
@@ -95,11 +98,12 @@ impl Pending {
     }
 }
 
-/// [`Pending::joint_values`] compiled for the registers that the processor has.
+/// [`Pending::joint_values`], and which are within the limits, compiled for the registers that the processor has.
 struct Angles<'a> {
     pending: &'a Pending,
     arm: &'a Arm,
     q: &'a mut [[f64; GROUP]; MAX_JOINTS],
+    within: &'a mut [bool; GROUP],
 }
 
 impl WithSimd for Angles<'_> {
@@ -108,6 +112,13 @@ impl WithSimd for Angles<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         self.pending.joint_values(self.arm, self.q);
+        let [lower, upper] = self.arm.bounds();
+        let bounds = lower.iter().zip(upper).take(self.arm.chain().dof());
+        for (values, (&lower, &upper)) in self.q.iter().zip(bounds) {
+            for lane in 0..GROUP {
+                self.within[lane] &= lower <= values[lane] && values[lane] <= upper;
+            }
+        }
     }
 }
 

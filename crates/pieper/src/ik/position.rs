@@ -1,6 +1,6 @@
 //! Three joints that turn bring a point to a place: Pieper's equations (Pieper 1968).
 
-use super::angle::{Roots, back, solve_linear, turn_between, turned, unit};
+use super::angle::{Roots, back, length, solve_linear, turn_between, turned, unit};
 use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
@@ -77,6 +77,12 @@ pub(super) struct Reach {
 }
 
 impl Reach {
+    /// Whether it stands for one root, away from others, and determines every angle.
+    #[inline]
+    pub(super) fn is_plain(&self) -> bool {
+        self.multiplicity == 1 && !self.edge && !self.free
+    }
+
     #[inline]
     pub(super) fn simple(signs: [bool; 2], multiplicity: u8) -> Self {
         Self {
@@ -234,12 +240,6 @@ impl Three {
             }
         }
     }
-}
-
-/// The length of a plane vector. Lengths of arms are far from where squares overflow.
-#[inline]
-fn length(v: [f64; 2]) -> f64 {
-    (v[0] * v[0] + v[1] * v[1]).sqrt()
 }
 
 /// The problem with the point at `(radius, 0, height)` behind joint 3 and `d1 = 0`.

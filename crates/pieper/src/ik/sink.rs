@@ -152,7 +152,8 @@ impl<'a> Sink<'a> {
                     if plain && turn[lane] <= limit && shift[lane] <= limit * self.arm.extent() =>
                 {
                     let residual = turn[lane].max(shift[lane]);
-                    let solution = self.solution(q, residual, branch, marks);
+                    let within = measured.within[lane];
+                    let solution = self.solution(q, within, residual, (branch, marks));
                     self.insert(&solution);
                 }
                 _ => {
@@ -163,14 +164,20 @@ impl<'a> Sink<'a> {
     }
 
     #[inline]
-    fn solution(&self, q: JointVector, residual: f64, branch: Branch, marks: Marks) -> Solution {
+    fn solution(
+        &self,
+        q: JointVector,
+        within_limits: bool,
+        residual: f64,
+        (branch, marks): (Branch, Marks),
+    ) -> Solution {
         Solution {
             q,
             dof: self.arm.chain().dof() as u8,
             residual,
             branch,
             multiplicity: marks.multiplicity,
-            within_limits: super::limits::within(self.arm.chain(), &q),
+            within_limits,
         }
     }
 
@@ -204,7 +211,8 @@ impl<'a> Sink<'a> {
             self.rejected = true;
             return false;
         }
-        let solution = self.solution(q, turn.max(shift), branch, marks);
+        let within = super::limits::within(self.arm.bounds(), &q);
+        let solution = self.solution(q, within, turn.max(shift), (branch, marks));
         if self.arm.chain().dof() > 6 {
             return self.add_redundant(&solution, marks);
         }
@@ -248,7 +256,7 @@ impl<'a> Sink<'a> {
                 kept.q = middle;
                 kept.residual = residual;
                 kept.multiplicity = kept.multiplicity.saturating_add(solution.multiplicity);
-                kept.within_limits = super::limits::within(self.arm.chain(), &middle);
+                kept.within_limits = super::limits::within(self.arm.bounds(), &middle);
                 self.merged = true;
                 return true;
             }

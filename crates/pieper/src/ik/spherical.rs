@@ -7,6 +7,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 use super::TOLERANCES;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
+use super::four::{self, FOUR, Oriented, Sines, Task};
 use super::normal::Normal;
 use super::position::{Reach, Reaches, Three};
 use super::reason::Part;
@@ -14,7 +15,7 @@ use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::slides;
 use super::solutions::{Branch, Elbow, Shoulder, Wrist};
-use super::wrist::{Ball, Turned};
+use super::wrist::{Ball, Method};
 use crate::spatial::Pose;
 
 /// The loop `Z_1 L_1 ... Z_6 L_6 target^-1 = 1`, opened behind the three axes `a, b, c` that pass through a point:
@@ -139,6 +140,9 @@ impl Prepared for Spherical {
             sink.fail(self.part(shortfall.part), shortfall.amount);
         }
         let rotations = links.map(|link| link.rotation.into_inner());
+        if self.orient_all(&place, &rotations, reaches.as_slice(), sink) {
+            return;
+        }
         for (index, reach) in reaches.as_slice().iter().enumerate() {
             self.orient(&place, &rotations, reach, index, sink);
         }
@@ -154,6 +158,59 @@ impl Spherical {
             Part::WristTooNear if self.first != 3 => Part::ElbowTooNear,
             part => part,
         }
+    }
+
+    /// The usual case, all of it at once: right angles in the wrist, no singularity near. False if it is another.
+    #[inline]
+    fn orient_all(
+        &self,
+        place: &Place,
+        links: &[Matrix3<f64>; 4],
+        reaches: &[Reach],
+        sink: &mut Sink<'_>,
+    ) -> bool {
+        let is_usual = sink.slack() == 0.0
+            && sink.method() == Method::Matrix
+            && self.turns == [true; 3]
+            && (1..=FOUR).contains(&reaches.len())
+            && reaches.iter().all(Reach::is_plain);
+        let (Some(signs), true) = (self.ball.right_signs(), is_usual) else {
+            return false;
+        };
+        let mut turns = [[[0.0; FOUR]; 2]; 3];
+        for lane in 0..FOUR {
+            // What has no position of its own repeats the last.
+            let reach = &reaches[lane.min(reaches.len() - 1)];
+            for (turn, (sin, cos)) in turns.iter_mut().zip(reach.turns) {
+                (turn[0][lane], turn[1][lane]) = (sin, cos);
+            }
+        }
+        let task = Task {
+            links,
+            turns: &turns,
+            signs,
+            shifts: self.ball.shifts(),
+        };
+        let Some(Oriented {
+            turns: [first, middle, last],
+            other,
+        }) = four::orient(&task)
+        else {
+            return false;
+        };
+        let at = |[sines, cosines]: &Sines, lane: usize| (sines[lane], cosines[lane]);
+        for (lane, reach) in reaches.iter().enumerate() {
+            let (a, b, c) = (at(&first, lane), at(&middle, lane), at(&last, lane));
+            let turned = |(sin, cos): (f64, f64)| (-sin, -cos);
+            for (flip, ways) in [
+                (false, [a, b, c]),
+                (true, [turned(a), at(&other, lane), turned(c)]),
+            ] {
+                let branch = self.branch(place, reach, lane, flip);
+                sink.push_turns(&self.displacements(reach, &ways), branch, Marks::PLAIN);
+            }
+        }
+        true
     }
 
     #[inline]
@@ -178,7 +235,7 @@ impl Spherical {
             sink.fail(shortfall.part, shortfall.amount);
         }
         for turned in &turns.list[..turns.len] {
-            let branch = self.branch(place, reach, index, turned);
+            let branch = self.branch(place, reach, index, turned.flip);
             let marks = Marks {
                 multiplicity: reach.multiplicity * turned.multiplicity,
                 edge: reach.edge || turned.edge,
@@ -204,12 +261,8 @@ impl Spherical {
     }
 
     #[inline]
-    fn branch(&self, place: &Place, reach: &Reach, index: usize, turned: &Turned) -> Branch {
-        let wrist = Some(if turned.flip {
-            Wrist::Flip
-        } else {
-            Wrist::NoFlip
-        });
+    fn branch(&self, place: &Place, reach: &Reach, index: usize, flip: bool) -> Branch {
+        let wrist = Some(if flip { Wrist::Flip } else { Wrist::NoFlip });
         let [front, bend] = reach.signs;
         match place {
             Place::Turns(three) if self.first == 3 && three.has_names() => {

@@ -16,6 +16,7 @@ use crate::spatial::Pose;
 #[derive(Clone, Debug)]
 pub(super) struct View {
     pub(super) chain: Chain,
+    bounds: [JointVector; 2],
     pub(super) goal: Goal,
     /// Of each of the caller's joints: where it is held.
     held: Vec<Option<f64>>,
@@ -71,6 +72,7 @@ impl View {
         }
         let work = open_to(&free, question.goal)?;
         let view = Self {
+            bounds: limits::bounds(chain),
             chain: chain.clone(),
             goal: question.goal,
             held: held_at,
@@ -210,7 +212,7 @@ impl View {
             q,
             dof: self.chain.dof() as u8,
             residual: self.goal.residual(&self.pose(&q), pose),
-            within_limits: limits::within(&self.chain, &q),
+            within_limits: limits::within(&self.bounds, &q),
             ..*solution
         };
         out.len += 1;

@@ -66,6 +66,18 @@ impl Ball {
         }
     }
 
+    /// The sines of the angles between neighbouring axes, where both are right ones.
+    #[inline]
+    pub(super) fn right_signs(&self) -> Option<[f64; 2]> {
+        self.right.then_some(self.alpha.map(|(sin, _)| sin))
+    }
+
+    /// Sines and cosines of where the three joints' own zeros lie.
+    #[inline]
+    pub(super) fn shifts(&self) -> &[(f64, f64); 3] {
+        &self.shifts
+    }
+
     /// Both ways to reach the rotation `r`, by one method or the other.
     #[inline]
     pub(super) fn solve(&self, r: &Matrix3<f64>, slack: f64, method: Method) -> Turns {

@@ -31,7 +31,6 @@ mod elimination;
 mod extend;
 mod family;
 mod fewer;
-mod four;
 pub mod general;
 mod goal;
 mod limits;
@@ -56,6 +55,7 @@ mod swivel;
 mod three_slides;
 mod tolerances;
 mod view;
+mod wide;
 mod wrist;
 
 pub use arm::{Arm, MAX_JOINTS};

@@ -11,6 +11,7 @@ use super::numeric::start;
 use super::registry::{self, Choice, Prepared};
 use super::sink::{Marks, Sink};
 use super::solutions::{Branch, JointVector, MAX_SOLUTIONS, Solutions};
+use super::wrist::Method;
 use crate::spatial::Pose;
 
 /// An arm of up to five joints inside one of six.
@@ -115,7 +116,7 @@ impl Fewer {
             }
             regular += 1;
             let pose = arm.pose(&q);
-            let mut sink = Sink::new(arm, &pose, 0.0, &mut out);
+            let mut sink = Sink::new(arm, &pose, 0.0, Method::Matrix, &mut out);
             self.solve(&arm.target(&pose), &mut sink);
             sink.finish();
             let near = |found: &JointVector| largest(&curve::difference(arm, found, &q)) < FOUND;
@@ -134,7 +135,7 @@ impl Fewer {
 
     /// Everything that reaches the pose, wherever the extra joints stand.
     fn solve_six(&self, pose: &Pose, out: &mut Solutions) {
-        let mut sink = Sink::new(&self.six, pose, self.choice.slack, out);
+        let mut sink = Sink::new(&self.six, pose, self.choice.slack, Method::Matrix, out);
         self.choice.solver.solve(&self.six.target(pose), &mut sink);
         sink.finish();
     }

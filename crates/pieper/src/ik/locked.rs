@@ -12,6 +12,7 @@ use super::numeric::start;
 use super::registry::{self, Choice, Prepared};
 use super::sink::{Marks, Sink};
 use super::solutions::{Branch, JointVector, MAX_SOLUTIONS, Solutions};
+use super::wrist::Method;
 use crate::model::Drive;
 use crate::spatial::{Pose, shift, turn};
 use nalgebra::Vector3;
@@ -129,7 +130,7 @@ impl Locked {
             Place::Base => held * pose,
             Place::Tool => pose * held,
         };
-        let mut sink = Sink::new(&self.six, &pose, self.choice.slack, out);
+        let mut sink = Sink::new(&self.six, &pose, self.choice.slack, Method::Matrix, out);
         self.choice.solver.solve(&self.six.target(&pose), &mut sink);
         sink.finish();
         for solution in &mut out.list[..out.len] {

@@ -10,13 +10,14 @@ use super::angle::{LinearRoots, Roots, forth, length, solve_linear, turn_between
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
-use super::planar::{Bent, Triangle};
+use super::planar::Triangle;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
 use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::solutions::{Branch, Elbow, Shoulder, Wrist};
 use super::spherical::turn_z;
+use super::wide::{self, Closed, Closing, FOUR, Sines};
 use crate::spatial::Pose;
 
 /// The loop opened behind the three parallel axes `a, b, c`, as for the spherical wrist:
@@ -69,8 +70,15 @@ impl Prepared for ThreeParallel {
         }
         let equations = Loop::new(links, &self.triangle, self.size, sink.slack());
         let outers = equations.outers(sink);
-        for (index, outer) in outers.list[..outers.len].iter().enumerate() {
-            equations.close(self, outer, index, sink);
+        let outers = &outers.list[..outers.len];
+        let closed = equations.close_all(self, outers);
+        for (index, outer) in outers.iter().enumerate() {
+            match &closed {
+                Some(closed) if closed.plain[index] => {
+                    self.propose(outer, index, closed, sink);
+                }
+                _ => equations.close(self, outer, index, sink),
+            }
         }
     }
 }
@@ -355,6 +363,28 @@ impl Loop {
         }
     }
 
+    /// Joint e and the triangle for all d and f at once, if they are four at most and none is near another.
+    fn close_all(&self, arm: &ThreeParallel, outers: &[Outer]) -> Option<Closed> {
+        let is_plain = |outer: &Outer| outer.multiplicity == 1 && !outer.edge;
+        let is_usual = self.slack == 0.0 && outers.len() <= FOUR && outers.iter().all(is_plain);
+        let last = outers.last().filter(|_| is_usual)?;
+        let (mut d, mut f) = ([[0.0; FOUR]; 2], [[0.0; FOUR]; 2]);
+        for lane in 0..FOUR {
+            let outer = outers.get(lane).unwrap_or(last);
+            (d[0][lane], d[1][lane]) = outer.d;
+            (f[0][lane], f[1][lane]) = outer.f;
+        }
+        wide::run(&Closing {
+            rotations: &self.rotations,
+            shifts: self.links.each_ref().map(|link| link.translation.vector),
+            axes: [self.k0, self.k3],
+            flip: self.flip,
+            d: &d,
+            f: &f,
+            triangle: arm.triangle.turning(),
+        })
+    }
+
     /// Joint e and the triangle for given d and f.
     fn close(&self, arm: &ThreeParallel, outer: &Outer, index: usize, sink: &mut Sink<'_>) {
         let (y, m) = (
@@ -445,7 +475,7 @@ impl Loop {
                 edge: outer.edge || bent.edge,
                 free: free || bent.free,
             };
-            sink.push_turns(&all, arm.branch(outer, index, bent), marks);
+            sink.push_turns(&all, arm.branch(outer, index, bent.bend), marks);
         }
     }
 }
@@ -490,11 +520,25 @@ impl Cone {
 }
 
 impl ThreeParallel {
-    fn branch(&self, outer: &Outer, index: usize, bent: &Bent) -> Branch {
+    /// Both ways to close the triangle.
+    fn propose(&self, outer: &Outer, index: usize, closed: &Closed, sink: &mut Sink<'_>) {
+        let at = |[sines, cosines]: &Sines| (sines[index], cosines[index]);
+        for (bent, bend) in closed.bent.iter().zip([true, false]) {
+            let mut all = [(0.0, 1.0); 6];
+            let [a, b, c] = bent.each_ref().map(at);
+            let turns = [a, b, c, outer.d, at(&closed.e), outer.f];
+            for (k, turn) in turns.into_iter().enumerate() {
+                all[(self.first + k) % 6] = turn;
+            }
+            sink.push_turns(&all, self.branch(outer, index, bend), Marks::PLAIN);
+        }
+    }
+
+    fn branch(&self, outer: &Outer, index: usize, bend: bool) -> Branch {
         let [first, second] = outer.signs;
         if self.first != 1 {
             return Branch {
-                elbow: Some(if bent.bend { Elbow::Down } else { Elbow::Up }),
+                elbow: Some(if bend { Elbow::Down } else { Elbow::Up }),
                 root: index as u8 + 1,
                 ..Branch::default()
             };
@@ -505,7 +549,7 @@ impl ThreeParallel {
             } else {
                 Shoulder::Right
             }),
-            elbow: Some(if bent.bend == first {
+            elbow: Some(if bend == first {
                 Elbow::Down
             } else {
                 Elbow::Up

@@ -52,12 +52,7 @@ impl Pending {
 
     /// Joint values, and how far they miss `pose`.
     #[inline]
-    pub(super) fn measure(&self, arm: &Arm, pose: &Pose) -> Measured {
-        let mut measured = Measured {
-            q: [[0.0; GROUP]; MAX_JOINTS],
-            within: [true; GROUP],
-            misses: None,
-        };
+    pub(super) fn measure(&self, arm: &Arm, pose: &Pose, measured: &mut Measured) {
         Arch::new().dispatch(Angles {
             pending: self,
             arm,
@@ -75,7 +70,6 @@ impl Pending {
             });
             measured.misses = Some(most);
         }
-        measured
     }
 
     #[inline(always)]
@@ -123,6 +117,12 @@ impl WithSimd for Angles<'_> {
 }
 
 impl Measured {
+    pub(super) const EMPTY: Self = Self {
+        q: [[0.0; GROUP]; MAX_JOINTS],
+        within: [true; GROUP],
+        misses: None,
+    };
+
     #[inline]
     pub(super) fn q(&self, lane: usize, dof: usize) -> JointVector {
         let mut q = [0.0; MAX_JOINTS];

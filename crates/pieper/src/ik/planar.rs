@@ -13,6 +13,7 @@ use super::reason::{Part, Shortfall};
 use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::solutions::{Branch, Elbow};
+use super::wide::Turning;
 use crate::spatial::Pose;
 use crate::spatial::sin_cos_exact;
 
@@ -60,6 +61,15 @@ impl Triangle {
             shifts: [first.phi, first.psi + second.phi, second.psi].map(sin_cos_exact),
             rise: first.d + first.alpha.1 * second.d,
         })
+    }
+
+    /// What is needed to close it in several branches at once.
+    pub(super) fn turning(&self) -> Turning<'_> {
+        Turning {
+            lengths: self.lengths,
+            flips: self.flips,
+            zeros: &self.shifts,
+        }
     }
 
     /// Whether z keeps its direction through `S`: -1 if it is turned over.

@@ -3,7 +3,7 @@
 use super::arm::{Arm, residuals};
 use super::curve;
 use super::descent::{self, ROUNDING, Room, newton};
-use super::pending::Pending;
+use super::pending::{Measured, Pending};
 use super::reason::{Part, Shortfall};
 use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
@@ -53,23 +53,25 @@ pub struct Sink<'a> {
 }
 
 impl<'a> Sink<'a> {
-    pub(super) fn new(arm: &'a Arm, pose: &'a Pose, slack: f64, out: &'a mut Solutions) -> Self {
+    pub(super) fn new(
+        arm: &'a Arm,
+        pose: &'a Pose,
+        slack: f64,
+        method: Method,
+        out: &'a mut Solutions,
+    ) -> Self {
         out.clear();
         Self {
             arm,
             pose,
             slack,
-            method: Method::Matrix,
+            method,
             out,
             shortfall: None,
             rejected: false,
             merged: false,
             pending: Pending::new(),
         }
-    }
-
-    pub(super) fn with_method(self, method: Method) -> Self {
-        Self { method, ..self }
     }
 
     /// How rotations are to be represented where a row knows more than one way.
@@ -140,7 +142,8 @@ impl<'a> Sink<'a> {
         if count == 0 {
             return;
         }
-        let measured = self.pending.measure(self.arm, self.pose);
+        let mut measured = Measured::EMPTY;
+        self.pending.measure(self.arm, self.pose, &mut measured);
         let dof = self.arm.chain().dof();
         let limit = TOLERANCES.rounding;
         for lane in 0..count {

@@ -125,7 +125,7 @@ impl Solver {
     }
 
     fn sink<'a>(&'a self, pose: &'a Pose, out: &'a mut Solutions) -> Sink<'a> {
-        Sink::new(&self.arm, pose, self.choice.slack, out).with_method(self.method)
+        Sink::new(&self.arm, pose, self.choice.slack, self.method, out)
     }
 
     /// Measures a failure for which the row had no number, by search. Should the search reach the pose after all, it

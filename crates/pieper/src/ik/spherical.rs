@@ -7,7 +7,6 @@ use nalgebra::{Matrix3, Point3, Vector3};
 use super::TOLERANCES;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
-use super::four::{self, FOUR, Oriented, Sines, Task};
 use super::normal::Normal;
 use super::position::{Reach, Reaches, Three};
 use super::reason::Part;
@@ -15,6 +14,7 @@ use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::slides;
 use super::solutions::{Branch, Elbow, Shoulder, Wrist};
+use super::wide::{self, FOUR, Oriented, Sines, Wrist as WideWrist};
 use super::wrist::{Ball, Method};
 use crate::spatial::Pose;
 
@@ -185,7 +185,7 @@ impl Spherical {
                 (turn[0][lane], turn[1][lane]) = (sin, cos);
             }
         }
-        let task = Task {
+        let task = WideWrist {
             links,
             turns: &turns,
             signs,
@@ -194,7 +194,7 @@ impl Spherical {
         let Some(Oriented {
             turns: [first, middle, last],
             other,
-        }) = four::orient(&task)
+        }) = wide::run(&task)
         else {
             return false;
         };

@@ -2,131 +2,30 @@
 
 use nalgebra::Matrix3;
 
-use super::TOLERANCES;
-
-/// Positions at once: an arm with a spherical wrist has four at most, away from singularities.
-pub(super) const FOUR: usize = 4;
-
-/// Sines and cosines of one joint for [`FOUR`] positions.
-pub(super) type Sines = [[f64; FOUR]; 2];
+use super::{Sines, Task, Wide, back, product};
+use crate::ik::TOLERANCES;
 
 /// The rotation to be made up for, `(links_0 Rz(t_0) links_1 Rz(t_1) links_2 Rz(t_2) links_3)^T`, and the wrist that does.
-pub(super) struct Task<'a> {
-    pub(super) links: &'a [Matrix3<f64>; 4],
-    pub(super) turns: &'a [Sines; 3],
+pub(in crate::ik) struct Wrist<'a> {
+    pub(in crate::ik) links: &'a [Matrix3<f64>; 4],
+    pub(in crate::ik) turns: &'a [Sines; 3],
     /// Sines of the two right angles: 1 or -1.
-    pub(super) signs: [f64; 2],
+    pub(in crate::ik) signs: [f64; 2],
     /// Sines and cosines of where the wrist's joints have their own zeros.
-    pub(super) shifts: &'a [(f64, f64); 3],
+    pub(in crate::ik) shifts: &'a [(f64, f64); 3],
 }
 
 /// The wrist's joints, the middle one bent to its positive side; and the middle one bent to the other, for which the
 /// outer ones turn by half a turn.
-pub(super) struct Oriented {
-    pub(super) turns: [Sines; 3],
-    pub(super) other: Sines,
+pub(in crate::ik) struct Oriented {
+    pub(in crate::ik) turns: [Sines; 3],
+    pub(in crate::ik) other: Sines,
 }
 
-/// The wrist for all four, or `None` if one of them is stretched, or if this processor has no registers of four doubles:
-/// those are solved one by one.
-#[inline]
-pub(super) fn orient(task: &Task<'_>) -> Option<Oriented> {
-    #[cfg(all(target_arch = "x86_64", feature = "avx2"))]
-    if let Some(simd) = pulp::x86::V3::try_new() {
-        return pulp::Simd::vectorize(simd, Call(task));
-    }
-    let _ = task;
-    None
-}
+impl Task for Wrist<'_> {
+    type Output = Oriented;
 
-/// The call, as what runs with the processor's features switched on.
-#[cfg(all(target_arch = "x86_64", feature = "avx2"))]
-struct Call<'a>(&'a Task<'a>);
-
-#[cfg(all(target_arch = "x86_64", feature = "avx2"))]
-impl pulp::NullaryFnOnce for Call<'_> {
-    type Output = Option<Oriented>;
-
-    #[inline(always)]
-    fn call(self) -> Self::Output {
-        self.0.solve()
-    }
-}
-
-/// One number for each position.
-#[derive(Clone, Copy)]
-struct Wide([f64; FOUR]);
-
-impl Wide {
-    #[inline(always)]
-    fn all(value: f64) -> Self {
-        Self([value; FOUR])
-    }
-
-    /// `self by + plus`, fused: only within [`Call`], where it is one instruction.
-    #[inline(always)]
-    fn mul_add(self, by: Self, plus: Self) -> Self {
-        let mut out = [0.0; FOUR];
-        for k in 0..FOUR {
-            out[k] = self.0[k].mul_add(by.0[k], plus.0[k]);
-        }
-        Self(out)
-    }
-
-    #[inline(always)]
-    fn times(self, by: Self) -> Self {
-        let mut out = [0.0; FOUR];
-        for k in 0..FOUR {
-            out[k] = self.0[k] * by.0[k];
-        }
-        Self(out)
-    }
-
-    #[inline(always)]
-    fn negative(self) -> Self {
-        let mut out = [0.0; FOUR];
-        for k in 0..FOUR {
-            out[k] = -self.0[k];
-        }
-        Self(out)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        let mut out = [0.0; FOUR];
-        for k in 0..FOUR {
-            out[k] = self.0[k].sqrt();
-        }
-        Self(out)
-    }
-
-    #[inline(always)]
-    fn inverse(self) -> Self {
-        let mut out = [0.0; FOUR];
-        for k in 0..FOUR {
-            out[k] = 1.0 / self.0[k];
-        }
-        Self(out)
-    }
-}
-
-/// `a b + c d`
-#[inline(always)]
-fn product(a: Wide, b: Wide, c: Wide, d: Wide) -> Wide {
-    a.mul_add(b, c.times(d))
-}
-
-/// Sine and cosine of an angle less a constant one.
-#[inline(always)]
-fn back(sin: Wide, cos: Wide, (s, c): (f64, f64)) -> Sines {
-    let (s, c) = (Wide::all(s), Wide::all(c));
-    [
-        product(sin, c, cos.negative(), s).0,
-        product(cos, c, sin, s).0,
-    ]
-}
-
-impl Task<'_> {
+    /// `None` if one of the wrists is stretched.
     #[inline(always)]
     fn solve(&self) -> Option<Oriented> {
         // By rows: m Rz(t) link.

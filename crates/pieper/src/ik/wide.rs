@@ -1,0 +1,120 @@
+//! Four branches of a solution at once, in registers of four doubles.
+
+mod triangle;
+mod wrist;
+
+pub(super) use triangle::{Closed, Closing, Turning};
+pub(super) use wrist::{Oriented, Wrist};
+
+/// Branches at once: what is left of a closed form behind its first choices has four at most, away from singularities.
+pub(super) const FOUR: usize = 4;
+
+/// Sines and cosines of one joint in [`FOUR`] branches.
+pub(super) type Sines = [[f64; FOUR]; 2];
+
+/// Something to be computed for all branches.
+pub(super) trait Task {
+    /// The answer.
+    type Output;
+
+    /// `None` where the branches have to be looked at one by one.
+    fn solve(&self) -> Option<Self::Output>;
+}
+
+/// The answer to a task; `None` also if this processor has no registers of four doubles.
+#[inline]
+pub(super) fn run<T: Task>(task: &T) -> Option<T::Output> {
+    #[cfg(all(target_arch = "x86_64", feature = "avx2"))]
+    if let Some(simd) = pulp::x86::V3::try_new() {
+        return pulp::Simd::vectorize(simd, Call(task));
+    }
+    let _ = task;
+    None
+}
+
+/// The call, as what runs with the processor's features switched on.
+#[cfg(all(target_arch = "x86_64", feature = "avx2"))]
+struct Call<'a, T>(&'a T);
+
+#[cfg(all(target_arch = "x86_64", feature = "avx2"))]
+impl<T: Task> pulp::NullaryFnOnce for Call<'_, T> {
+    type Output = Option<T::Output>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        self.0.solve()
+    }
+}
+
+/// One number for each position.
+#[derive(Clone, Copy)]
+struct Wide([f64; FOUR]);
+
+impl Wide {
+    #[inline(always)]
+    fn all(value: f64) -> Self {
+        Self([value; FOUR])
+    }
+
+    /// `self by + plus`, fused: only within [`run`], where it is one instruction.
+    #[inline(always)]
+    fn mul_add(self, by: Self, plus: Self) -> Self {
+        let mut out = [0.0; FOUR];
+        for k in 0..FOUR {
+            out[k] = self.0[k].mul_add(by.0[k], plus.0[k]);
+        }
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn times(self, by: Self) -> Self {
+        let mut out = [0.0; FOUR];
+        for k in 0..FOUR {
+            out[k] = self.0[k] * by.0[k];
+        }
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn negative(self) -> Self {
+        let mut out = [0.0; FOUR];
+        for k in 0..FOUR {
+            out[k] = -self.0[k];
+        }
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let mut out = [0.0; FOUR];
+        for k in 0..FOUR {
+            out[k] = self.0[k].sqrt();
+        }
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn inverse(self) -> Self {
+        let mut out = [0.0; FOUR];
+        for k in 0..FOUR {
+            out[k] = 1.0 / self.0[k];
+        }
+        Self(out)
+    }
+}
+
+/// `a b + c d`
+#[inline(always)]
+fn product(a: Wide, b: Wide, c: Wide, d: Wide) -> Wide {
+    a.mul_add(b, c.times(d))
+}
+
+/// Sine and cosine of an angle less a constant one.
+#[inline(always)]
+fn back(sin: Wide, cos: Wide, (s, c): (f64, f64)) -> Sines {
+    let (s, c) = (Wide::all(s), Wide::all(c));
+    [
+        product(sin, c, cos.negative(), s).0,
+        product(cos, c, sin, s).0,
+    ]
+}

@@ -1,0 +1,194 @@
+//! Up to four loops closed by a triangle at once, behind three parallel axes.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{Sines, Task, Wide, back, product};
+use crate::ik::TOLERANCES;
+
+/// `K_0 Z_d K_1 Z_e K_2 Z_f K_3` for given d and f: joint e follows from a direction, the other three from a triangle.
+pub(in crate::ik) struct Closing<'a> {
+    pub(in crate::ik) rotations: &'a [Matrix3<f64>; 4],
+    pub(in crate::ik) shifts: [Vector3<f64>; 4],
+    /// The direction of the three axes, seen from joint d and from behind joint f.
+    pub(in crate::ik) axes: [Vector3<f64>; 2],
+    /// Whether the chain turns that direction over: -1 if so.
+    pub(in crate::ik) flip: f64,
+    pub(in crate::ik) d: &'a Sines,
+    pub(in crate::ik) f: &'a Sines,
+    pub(in crate::ik) triangle: Turning<'a>,
+}
+
+/// The triangle: its sides, whether its links turn the plane over, and where its joints have their own zeros.
+pub(in crate::ik) struct Turning<'a> {
+    pub(in crate::ik) lengths: [f64; 2],
+    pub(in crate::ik) flips: [f64; 2],
+    pub(in crate::ik) zeros: &'a [(f64, f64); 3],
+}
+
+/// Joint e, and the triangle's joints bent either way; which of the branches there are, away from singularities.
+pub(in crate::ik) struct Closed {
+    pub(in crate::ik) e: Sines,
+    pub(in crate::ik) bent: [[Sines; 3]; 2],
+    pub(in crate::ik) plain: [bool; super::FOUR],
+}
+
+/// Squares of sines below this are left to be looked at one by one: both ways to bend nearly merge.
+const STRETCHED: f64 = 1e-8;
+
+impl Task for Closing<'_> {
+    type Output = Closed;
+
+    #[inline(always)]
+    fn solve(&self) -> Option<Closed> {
+        let [sin_d, cos_d] = self.d.map(Wide);
+        let [sin_f, cos_f] = self.f.map(Wide);
+        let all = Wide::all;
+        let [before, behind] = self.axes;
+        // The direction of the three axes before joint e and behind it, square to the axis of e.
+        let along = product(all(before.x), cos_d, all(before.y), sin_d);
+        let across = product(all(before.y), cos_d, all(-before.x), sin_d);
+        let r = self.rotations[1];
+        let mut y = [all(0.0); 2];
+        for (j, y) in y.iter_mut().enumerate() {
+            let over = across.mul_add(all(r[(1, j)]), all(r[(2, j)] * before.z));
+            *y = along.mul_add(all(r[(0, j)]), over);
+        }
+        let along = product(all(behind.x), cos_f, all(-behind.y), sin_f);
+        let across = product(all(behind.y), cos_f, all(behind.x), sin_f);
+        let r = self.rotations[2] * self.flip;
+        let mut m = [all(0.0); 2];
+        for (i, m) in m.iter_mut().enumerate() {
+            let over = across.mul_add(all(r[(i, 1)]), all(r[(i, 2)] * behind.z));
+            *m = along.mul_add(all(r[(i, 0)]), over);
+        }
+        let [sin_e, cos_e] = turned(m, y);
+
+        // The whole motion by rows, and its place.
+        let r = self.rotations;
+        let mut rows = [[all(0.0); 3]; 3];
+        let mut place = [all(0.0); 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                rows[i][j] = all(r[0][(i, j)]);
+            }
+            place[i] = all(self.shifts[0][i]);
+        }
+        let turns = [(sin_d, cos_d), (sin_e, cos_e), (sin_f, cos_f)];
+        for (step, (sin, cos)) in turns.into_iter().enumerate() {
+            let (link, shift) = (&r[step + 1], &self.shifts[step + 1]);
+            for (row, place) in rows.iter_mut().zip(&mut place) {
+                let [x, y, z] = *row;
+                let x_turned = product(x, cos, y, sin);
+                let y_turned = product(y, cos, x.negative(), sin);
+                let over = z.mul_add(all(shift.z), *place);
+                *place = x_turned.mul_add(all(shift.x), y_turned.mul_add(all(shift.y), over));
+                for (j, entry) in row.iter_mut().enumerate() {
+                    let (a, b, c) = (all(link[(0, j)]), all(link[(1, j)]), all(link[(2, j)]));
+                    *entry = x_turned.mul_add(a, product(y_turned, b, z, c));
+                }
+            }
+        }
+        // Of its inverse: where the third corner is, and the direction behind it.
+        let [[a, b, _], [c, d, _], [e, f, _]] = rows;
+        let [px, py, pz] = place;
+        let at = [
+            px.mul_add(a, product(py, c, pz, e)).negative(),
+            px.mul_add(b, product(py, d, pz, f)).negative(),
+        ];
+        let (toward_x, toward_y) = (a, b);
+
+        let Turning {
+            lengths: [one, two],
+            flips,
+            ..
+        } = self.triangle;
+        let reach = product(at[0], at[0], at[1], at[1]).sqrt();
+        let (short, long) = ((one - two).abs(), one + two);
+        // Sine of the elbow without cancellation: Heron's formula.
+        let one_all = all(1.0);
+        let beyond = reach
+            .mul_add(all(-1.0), all(long))
+            .times(reach.mul_add(one_all, all(long)));
+        let within = reach
+            .mul_add(one_all, all(-short))
+            .times(reach.mul_add(one_all, all(short)));
+        let area = beyond.times(within);
+        let square = area.times(all(1.0 / (4.0 * one * one * two * two)));
+        let cosine = reach.mul_add(reach, all(-one * one - two * two));
+        let cosine = cosine.times(all(0.5 / (one * two)));
+        let mut plain = [false; super::FOUR];
+        let lengths = [
+            product(y[0], y[0], y[1], y[1]),
+            product(m[0], m[0], m[1], m[1]),
+        ];
+        let enough = TOLERANCES.free * TOLERANCES.free;
+        for (k, plain) in plain.iter_mut().enumerate() {
+            // What is not a number fails it.
+            *plain = square.0[k] > STRETCHED
+                && reach.0[k] > 2.0 * TOLERANCES.free * long
+                && lengths[0].0[k] > 4.0 * enough
+                && lengths[1].0[k] > 4.0 * enough;
+        }
+        let root = square.sqrt();
+        let norm = product(root, root, cosine, cosine).sqrt().inverse();
+        let (sin, cos) = (root.times(norm), cosine.times(norm));
+        let elbow = [
+            cos.mul_add(all(two), all(one)),
+            sin.times(all(flips[0] * two)),
+        ];
+        let bend = Bend {
+            triangle: &self.triangle,
+            at,
+            toward: [toward_x, toward_y],
+            cos,
+        };
+        Some(Closed {
+            e: [sin_e.0, cos_e.0],
+            bent: [
+                bend.joints(sin, elbow),
+                bend.joints(sin.negative(), [elbow[0], elbow[1].negative()]),
+            ],
+            plain,
+        })
+    }
+}
+
+/// A triangle that is closed but for the way it bends.
+struct Bend<'a> {
+    triangle: &'a Turning<'a>,
+    at: [Wide; 2],
+    toward: [Wide; 2],
+    /// The cosine of the middle joint.
+    cos: Wide,
+}
+
+impl Bend<'_> {
+    /// The three joints for a sine of the middle one and the place of the third corner, seen from the first link.
+    #[inline(always)]
+    fn joints(&self, sin: Wide, corner: [Wide; 2]) -> [Sines; 3] {
+        let Turning { flips, zeros, .. } = self.triangle;
+        let [sin_first, cos_first] = turned(corner, self.at);
+        // The x axis behind the third joint points to first + flip_1 (middle + flip_2 last).
+        let [x, y] = self.toward;
+        let across = product(y, cos_first, x.negative(), sin_first);
+        let along = product(x, cos_first, y, sin_first);
+        let middle = sin.times(Wide::all(flips[0]));
+        let last_across = product(across, self.cos, along.negative(), middle);
+        let last_along = product(along, self.cos, across, middle);
+        let flip = Wide::all(flips[0] * flips[1]);
+        [
+            back(sin_first, cos_first, zeros[0]),
+            back(sin, self.cos, zeros[1]),
+            back(last_across.times(flip), last_along, zeros[2]),
+        ]
+    }
+}
+
+/// Sine and cosine of the angle that turns `from` onto the direction of `to`.
+#[inline(always)]
+fn turned(from: [Wide; 2], to: [Wide; 2]) -> [Wide; 2] {
+    let cross = product(from[0], to[1], from[1].negative(), to[0]);
+    let dot = product(from[0], to[0], from[1], to[1]);
+    let by = product(cross, cross, dot, dot).sqrt().inverse();
+    [cross.times(by), dot.times(by)]
+}

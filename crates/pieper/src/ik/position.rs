@@ -4,6 +4,7 @@ use super::angle::{Roots, back, length, solve_linear, turn_between, turned, unit
 use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
+use super::wide::{self, Folded, Folding};
 use super::{Shortfall, TOLERANCES};
 use crate::spatial::sin_cos_exact;
 
@@ -302,6 +303,34 @@ impl Problem {
         out.push(reach);
     }
 
+    /// All ways at once where axes 2 and 3 are parallel, unless reaching forward and back are nearly one.
+    #[inline]
+    fn folded(&self, forward: &Roots, [v, height]: [f64; 2], scale: f64) -> Option<Folded> {
+        let Links {
+            a1,
+            alpha1: (s1, c1),
+            a2,
+            alpha2: (_, flip),
+            ..
+        } = self.links;
+        if self.slack > 0.0 || forward.edge || forward.len != 2 {
+            return None;
+        }
+        wide::run(&Folding {
+            u: [
+                forward.values[0] * scale - a1,
+                forward.values[1] * scale - a1,
+            ],
+            v,
+            a1,
+            side: c1 * v - s1 * height,
+            lengths: [a2, self.radius],
+            flip,
+            place: [self.place[0], self.place[1]],
+            scale,
+        })
+    }
+
     /// Axes 2 and 3 parallel.
     #[inline]
     fn parallel(&self, out: &mut Reaches) {
@@ -323,8 +352,22 @@ impl Problem {
         out.fail(Part::WristInside, side.abs() - distance);
         let (long, short) = (a2.abs() + self.radius, (a2.abs() - self.radius).abs());
         let product = 2.0 * a2 * self.radius;
-        for (root, front) in forward.iter().zip([true, false, true]) {
+        let folded = self.folded(&forward, [v, height], scale);
+        for ((root, front), index) in forward.iter().zip([true, false, true]).zip(0..) {
             let u = root * scale - a1;
+            if let Some(Folded { turns, .. }) =
+                folded.as_ref().filter(|f| index < 2 && f.plain[index])
+            {
+                for (sign, lane) in [(true, 2 * index), (false, 2 * index + 1)] {
+                    out.push(Reach {
+                        turns: turns
+                            .each_ref()
+                            .map(|[sines, cosines]| (sines[lane], cosines[lane])),
+                        ..Reach::simple([front, sign], 1)
+                    });
+                }
+                continue;
+            }
             let reach = length([u, v]);
             out.fail(Part::WristBeyond, reach - long);
             out.fail(Part::WristTooNear, short - reach);

@@ -1,8 +1,10 @@
 //! Four branches of a solution at once, in registers of four doubles.
 
+mod position;
 mod triangle;
 mod wrist;
 
+pub(super) use position::{Folded, Folding};
 pub(super) use triangle::{Closed, Closing, Turning};
 pub(super) use wrist::{Oriented, Wrist};
 
@@ -117,4 +119,13 @@ fn back(sin: Wide, cos: Wide, (s, c): (f64, f64)) -> Sines {
         product(sin, c, cos.negative(), s).0,
         product(cos, c, sin, s).0,
     ]
+}
+
+/// Sine and cosine of the angle that turns `from` onto the direction of `to`.
+#[inline(always)]
+fn turned(from: [Wide; 2], to: [Wide; 2]) -> [Wide; 2] {
+    let cross = product(from[0], to[1], from[1].negative(), to[0]);
+    let dot = product(from[0], to[0], from[1], to[1]);
+    let by = product(cross, cross, dot, dot).sqrt().inverse();
+    [cross.times(by), dot.times(by)]
 }

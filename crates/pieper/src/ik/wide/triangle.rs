@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Sines, Task, Wide, back, product};
+use super::{Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
 
 /// `K_0 Z_d K_1 Z_e K_2 Z_f K_3` for given d and f: joint e follows from a direction, the other three from a triangle.
@@ -182,13 +182,4 @@ impl Bend<'_> {
             back(last_across.times(flip), last_along, zeros[2]),
         ]
     }
-}
-
-/// Sine and cosine of the angle that turns `from` onto the direction of `to`.
-#[inline(always)]
-fn turned(from: [Wide; 2], to: [Wide; 2]) -> [Wide; 2] {
-    let cross = product(from[0], to[1], from[1].negative(), to[0]);
-    let dot = product(from[0], to[0], from[1], to[1]);
-    let by = product(cross, cross, dot, dot).sqrt().inverse();
-    [cross.times(by), dot.times(by)]
 }

@@ -1,0 +1,97 @@
+//! Up to four ways to bring a point to a place at once, by joints of which the second and third are parallel.
+
+use super::{FOUR, Sines, Task, Wide, product, turned};
+use crate::ik::TOLERANCES;
+
+/// Pieper's equations where axes 2 and 3 are parallel, once it is known how far the point is from axis 2: reaching forward
+/// or back, with the elbow bent either way.
+pub(in crate::ik) struct Folding {
+    /// Where the point is, seen from axis 2 in the plane that it turns: forward or back along the first, one for both.
+    pub(in crate::ik) u: [f64; 2],
+    pub(in crate::ik) v: f64,
+    /// From axis 1 to axis 2.
+    pub(in crate::ik) a1: f64,
+    /// Across that plane, seen from axis 1.
+    pub(in crate::ik) side: f64,
+    /// From axis 2 to axis 3, and from there to the point.
+    pub(in crate::ik) lengths: [f64; 2],
+    /// Whether link 2 turns the plane over: -1 if so.
+    pub(in crate::ik) flip: f64,
+    /// The place, seen from above.
+    pub(in crate::ik) place: [f64; 2],
+    /// A length that stands for the problem's.
+    pub(in crate::ik) scale: f64,
+}
+
+/// The three joints, in the order forward and bent one way, forward and bent the other, back; and which of the two
+/// directions are away from singularities.
+pub(in crate::ik) struct Folded {
+    pub(in crate::ik) turns: [Sines; 3],
+    pub(in crate::ik) plain: [bool; 2],
+}
+
+/// Squares of sines below this are left to be looked at one by one: both ways to bend nearly merge.
+const STRETCHED: f64 = 1e-8;
+
+impl Task for Folding {
+    type Output = Folded;
+
+    #[inline(always)]
+    fn solve(&self) -> Option<Folded> {
+        let all = Wide::all;
+        let [forward, back] = self.u;
+        let u = Wide([forward, forward, back, back]);
+        let [long_side, short_side] = self.lengths;
+        let v = all(self.v);
+        let reach = product(u, u, v, v).sqrt();
+        let (long, short) = (
+            long_side.abs() + short_side,
+            (long_side.abs() - short_side).abs(),
+        );
+        // Sine of the elbow without cancellation: Heron's formula.
+        let one = all(1.0);
+        let beyond = reach
+            .mul_add(all(-1.0), all(long))
+            .times(reach.mul_add(one, all(long)));
+        let within = reach
+            .mul_add(one, all(-short))
+            .times(reach.mul_add(one, all(short)));
+        let by = 2.0 * long_side * short_side;
+        let square = beyond.times(within).times(all(1.0 / (by * by)));
+        let cosine = reach.mul_add(reach, all(-long_side * long_side - short_side * short_side));
+        let cosine = cosine.times(all(1.0 / by));
+        let norm = product(cosine, cosine, square, one).sqrt().inverse();
+        let sine = square
+            .sqrt()
+            .times(norm)
+            .times(Wide([1.0, -1.0, 1.0, -1.0]));
+        let cosine = cosine.times(norm);
+        // Joints 2 and 1 turn what is behind them to where it is to be.
+        let elbow = [
+            cosine.mul_add(all(short_side), all(long_side)),
+            sine.times(all(self.flip * short_side)),
+        ];
+        let second = turned(elbow, [u, v]);
+        let around = [u.mul_add(one, all(self.a1)), all(self.side)];
+        let first = turned(around, self.place.map(all));
+        let least = 4.0 * TOLERANCES.free * TOLERANCES.free * self.scale * self.scale;
+        let (bent, turning) = (
+            product(elbow[0], elbow[0], elbow[1], elbow[1]),
+            product(around[0], around[0], around[1], around[1]),
+        );
+        let far = self.place[0] * self.place[0] + self.place[1] * self.place[1] > least;
+        let mut plain = [far; FOUR];
+        for (k, plain) in plain.iter_mut().enumerate() {
+            // What is not a number fails it.
+            *plain &= square.0[k] > STRETCHED
+                && reach.0[k] * reach.0[k] > least
+                && bent.0[k] > least
+                && turning.0[k] > least;
+        }
+        let as_sines = |[sin, cos]: [Wide; 2]| [sin.0, cos.0];
+        Some(Folded {
+            turns: [as_sines(first), as_sines(second), [sine.0, cosine.0]],
+            plain: [plain[0] && plain[1], plain[2] && plain[3]],
+        })
+    }
+}

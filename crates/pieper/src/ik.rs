@@ -55,6 +55,10 @@ mod swivel;
 mod three_slides;
 mod tolerances;
 mod view;
+#[cfg_attr(
+    not(all(target_arch = "x86_64", feature = "avx2")),
+    expect(dead_code, reason = "only registers of four doubles make it pay")
+)]
 mod wide;
 mod wrist;
 

@@ -138,8 +138,8 @@ impl Outers {
 
 impl Loop {
     fn new(links: [Pose; 4], triangle: &Triangle, size: f64, slack: f64) -> Self {
-        let r = links.map(|link| link.rotation.into_inner());
-        let t = links.map(|link| link.translation.vector);
+        let r = links.each_ref().map(|link| *link.rotation.matrix());
+        let t = links.each_ref().map(|link| link.translation.vector);
         let z = Vector3::z();
         let flip = triangle.flip();
         let (k0, k3) = (r[0].transpose() * z, r[3] * z);

@@ -117,11 +117,14 @@ impl WithSimd for Angles<'_> {
 }
 
 impl Measured {
-    pub(super) const EMPTY: Self = Self {
-        q: [[0.0; GROUP]; MAX_JOINTS],
-        within: [true; GROUP],
-        misses: None,
-    };
+    #[inline]
+    pub(super) fn empty() -> Self {
+        Self {
+            q: [[0.0; GROUP]; MAX_JOINTS],
+            within: [true; GROUP],
+            misses: None,
+        }
+    }
 
     #[inline]
     pub(super) fn q(&self, lane: usize, dof: usize) -> JointVector {

@@ -142,7 +142,7 @@ impl<'a> Sink<'a> {
         if count == 0 {
             return;
         }
-        let mut measured = Measured::EMPTY;
+        let mut measured = Measured::empty();
         self.pending.measure(self.arm, self.pose, &mut measured);
         let dof = self.arm.chain().dof();
         let limit = TOLERANCES.rounding;

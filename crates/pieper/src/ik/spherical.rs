@@ -139,7 +139,7 @@ impl Prepared for Spherical {
         if let Some(shortfall) = reaches.shortfall {
             sink.fail(self.part(shortfall.part), shortfall.amount);
         }
-        let rotations = links.map(|link| link.rotation.into_inner());
+        let rotations = links.each_ref().map(|link| *link.rotation.matrix());
         if self.orient_all(&place, &rotations, reaches.as_slice(), sink) {
             return;
         }

@@ -5,6 +5,7 @@
 //! angles are Pieper's (1968). What comes out is a list of [`Step`]s in the order of computing; a sheet, numbers and code
 //! are all made of it.
 
+mod candidates;
 mod one_unknown;
 mod probe;
 mod search;

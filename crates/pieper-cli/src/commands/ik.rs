@@ -26,6 +26,7 @@ Examples:
   pieper fk ar3 --q 0,45,-30,0,60,0 --deg --json > pose.json; pieper ik ar3 --pose pose.json
   pieper ik cobra600 --pose 0.4,0.2,0.1,180,0,0 --deg --goal position+axis
   pieper ik panda --pose 0.4,0.1,0.4,180,0,0 --deg --lock q7=45
+  pieper ik iiwa14 --pose 0.5,0.1,0.4,180,0,0 --deg --swivel 30
   echo '{\"id\": 1, \"pose\": [[1,0,0,0.2],[0,1,0,0.3],[0,0,1,0.3],[0,0,0,1]]}' | pieper ik ar3 --input -
 
 A pose is x,y,z,roll,pitch,yaw (fixed axes, as in URDF), x,y,z,qw,qx,qy,qz, a 4x4 matrix as nested JSON lists, or a
@@ -58,6 +59,11 @@ pub(crate) struct Arguments {
     /// Hold a joint at a value (by its name, or qN for the Nth), several times for several
     #[arg(long = "lock", value_name = "JOINT=VALUE", allow_hyphen_values = true)]
     locks: Vec<String>,
+
+    /// Of an arm of seven joints with a spherical shoulder and wrist: the angle of its elbow about the line from shoulder to
+    /// wrist, 0 where the elbow's axis is at a right angle to axis 1; leaves up to eight isolated solutions
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    swivel: Option<f64>,
 
     /// How the orientation of a spherical wrist is solved; the answers are the same
     #[arg(long, value_enum, default_value_t, hide_default_value = true)]
@@ -138,6 +144,9 @@ impl Arguments {
             goal: self.goal.into(),
             held: self.held(&chain)?,
             method: self.method.into(),
+            swivel: self
+                .swivel
+                .map(|angle| if self.deg { angle.to_radians() } else { angle }),
         };
         let solver = Solver::prepare(&chain, &question)?;
         let drives = super::motors::of(&robot)?;

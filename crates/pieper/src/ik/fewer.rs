@@ -9,9 +9,8 @@ use super::descent::{Room, largest};
 use super::extend::{Place, Stand, extended, turns_at};
 use super::numeric::start;
 use super::registry::{self, Choice, Prepared};
-use super::sink::{Marks, Sink};
+use super::sink::{Marks, Sink, Terms};
 use super::solutions::{Branch, JointVector, MAX_SOLUTIONS, Solutions};
-use super::wrist::Method;
 use crate::spatial::Pose;
 
 /// An arm of up to five joints inside one of six.
@@ -116,7 +115,7 @@ impl Fewer {
             }
             regular += 1;
             let pose = arm.pose(&q);
-            let mut sink = Sink::new(arm, &pose, 0.0, Method::Matrix, &mut out);
+            let mut sink = Sink::new(arm, &pose, Terms::default(), &mut out);
             self.solve(&arm.target(&pose), &mut sink);
             sink.finish();
             let near = |found: &JointVector| largest(&curve::difference(arm, found, &q)) < FOUND;
@@ -135,7 +134,11 @@ impl Fewer {
 
     /// Everything that reaches the pose, wherever the extra joints stand.
     fn solve_six(&self, pose: &Pose, out: &mut Solutions) {
-        let mut sink = Sink::new(&self.six, pose, self.choice.slack, Method::Matrix, out);
+        let terms = Terms {
+            slack: self.choice.slack,
+            ..Terms::default()
+        };
+        let mut sink = Sink::new(&self.six, pose, terms, out);
         self.choice.solver.solve(&self.six.target(pose), &mut sink);
         sink.finish();
     }

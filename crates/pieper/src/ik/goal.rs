@@ -80,4 +80,7 @@ pub struct Question {
     pub held: Vec<(usize, f64)>,
     /// How the orientation of a spherical wrist is solved.
     pub method: Method,
+    /// Of an arm of seven joints with a spherical shoulder and wrist: the angle by which its elbow is turned about the line
+    /// from shoulder to wrist, radians; up to eight isolated solutions are left. See [`Solver::swivel`](super::Solver::swivel).
+    pub swivel: Option<f64>,
 }

@@ -10,9 +10,8 @@ use super::descent::{Room, largest};
 use super::extend::{Place, without_end};
 use super::numeric::start;
 use super::registry::{self, Choice, Prepared};
-use super::sink::{Marks, Sink};
+use super::sink::{Marks, Sink, Terms};
 use super::solutions::{Branch, JointVector, MAX_SOLUTIONS, Solutions};
-use super::wrist::Method;
 use crate::model::Drive;
 use crate::spatial::{Pose, shift, turn};
 use nalgebra::Vector3;
@@ -130,7 +129,11 @@ impl Locked {
             Place::Base => held * pose,
             Place::Tool => pose * held,
         };
-        let mut sink = Sink::new(&self.six, &pose, self.choice.slack, Method::Matrix, out);
+        let terms = Terms {
+            slack: self.choice.slack,
+            ..Terms::default()
+        };
+        let mut sink = Sink::new(&self.six, &pose, terms, out);
         self.choice.solver.solve(&self.six.target(&pose), &mut sink);
         sink.finish();
         for solution in &mut out.list[..out.len] {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::sink::Sink;
+use super::solutions::JointVector;
 use super::{
     elimination, fewer, locked, numeric, parallel, planar, spherical, swivel, three_slides,
 };
@@ -19,6 +20,11 @@ pub trait Prepared: fmt::Debug + Send + Sync {
     /// Proposes every solution of `Z_1 L_1 ... Z_m L_m = target` (links of the arm, target seen from the first
     /// axis), or says what fails. Must not allocate.
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>);
+
+    /// The angle that a solver's families run over at given joint values, for a solver that has one.
+    fn swivel(&self, _: &Arm, _: &JointVector) -> Option<f64> {
+        None
+    }
 
     /// How far the arm misses what this solver takes it for, beyond the miss of its class; relative.
     fn slack(&self) -> f64 {
@@ -63,7 +69,7 @@ pub const ROWS: &[Row] = &[
         prepare: parallel::prepare,
     },
     Row {
-        name: "swivel",
+        name: swivel::NAME,
         summary: "seven axes, spherical shoulder and wrist: eight families over the swivel of the elbow",
         prepare: swivel::prepare,
     },

@@ -33,6 +33,17 @@ impl Marks {
     };
 }
 
+/// How a pose is to be solved.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Terms {
+    /// See [`Sink::slack`].
+    pub(super) slack: f64,
+    /// See [`Sink::method`].
+    pub(super) method: Method,
+    /// See [`Question::swivel`](super::Question::swivel).
+    pub(super) swivel: Option<f64>,
+}
+
 /// Starts of the search of last resort.
 const RESCUE_STARTS: usize = 40;
 
@@ -42,8 +53,7 @@ const RESCUE_STARTS: usize = 40;
 pub struct Sink<'a> {
     arm: &'a Arm,
     pose: &'a Pose,
-    slack: f64,
-    method: Method,
+    terms: Terms,
     out: &'a mut Solutions,
     shortfall: Option<Shortfall>,
     rejected: bool,
@@ -53,19 +63,12 @@ pub struct Sink<'a> {
 }
 
 impl<'a> Sink<'a> {
-    pub(super) fn new(
-        arm: &'a Arm,
-        pose: &'a Pose,
-        slack: f64,
-        method: Method,
-        out: &'a mut Solutions,
-    ) -> Self {
+    pub(super) fn new(arm: &'a Arm, pose: &'a Pose, terms: Terms, out: &'a mut Solutions) -> Self {
         out.clear();
         Self {
             arm,
             pose,
-            slack,
-            method,
+            terms,
             out,
             shortfall: None,
             rejected: false,
@@ -76,7 +79,7 @@ impl<'a> Sink<'a> {
 
     /// How rotations are to be represented where a row knows more than one way.
     pub fn method(&self) -> Method {
-        self.method
+        self.terms.method
     }
 
     /// The arm.
@@ -92,7 +95,12 @@ impl<'a> Sink<'a> {
     /// How far the arm misses the class that its row solves, relative: 0 for none. Where a row must decide whether a
     /// root exists, it gives this much the benefit of the doubt.
     pub fn slack(&self) -> f64 {
-        self.slack
+        self.terms.slack
+    }
+
+    /// Where the elbow of a redundant arm is wanted.
+    pub(super) fn swivel(&self) -> Option<f64> {
+        self.terms.swivel
     }
 
     /// The number of isolated solutions and families so far.
@@ -149,7 +157,7 @@ impl<'a> Sink<'a> {
         for lane in 0..count {
             let (branch, marks) = self.pending.names[lane];
             let q = measured.q(lane, dof);
-            let plain = !marks.free && !marks.edge && self.slack == 0.0 && dof <= 6;
+            let plain = !marks.free && !marks.edge && self.terms.slack == 0.0 && dof <= 6;
             match &measured.misses {
                 Some([turn, shift])
                     if plain && turn[lane] <= limit && shift[lane] <= limit * self.arm.extent() =>
@@ -201,7 +209,7 @@ impl<'a> Sink<'a> {
             let start = q;
             (q, _) = newton(self.arm, &start, self.pose, None, f64::EPSILON);
             (turn, shift) = residuals(&self.arm.pose(&q), self.pose);
-            if self.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
+            if self.terms.slack > 0.0 && rough(turn, shift, TOLERANCES.closes) {
                 // Near a singularity Newton's steps overshoot; damped ones do not.
                 let near = descent::damped(self.arm, &start, self.pose, Room::Free, ROUNDING);
                 (q, _) = newton(self.arm, &near.q, self.pose, None, f64::EPSILON);
@@ -216,13 +224,16 @@ impl<'a> Sink<'a> {
         }
         let within = super::limits::within(self.arm.bounds(), &q);
         let solution = self.solution(q, within, turn.max(shift), (branch, marks));
+        if self.terms.swivel.is_some() {
+            return !self.merge(&solution, true) && self.insert(&solution);
+        }
         if self.arm.chain().dof() > 6 {
             return self.add_redundant(&solution, marks);
         }
         if marks.free && self.add_family(&solution) {
             return false;
         }
-        if (marks.edge || refined || self.slack > 0.0) && self.merge(&solution, refined) {
+        if (marks.edge || refined || self.terms.slack > 0.0) && self.merge(&solution, refined) {
             return false;
         }
         self.insert(&solution)
@@ -400,7 +411,7 @@ impl<'a> Sink<'a> {
         if self.merged && self.arm.chain().dof() <= 6 {
             self.spread_merged();
         }
-        if self.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
+        if self.terms.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
             self.rescue();
         }
         let out = self.out;

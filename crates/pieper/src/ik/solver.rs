@@ -6,8 +6,9 @@ use super::goal::{Goal, Question};
 use super::nearest::{self, Ladder};
 use super::reason::{Part, Shortfall};
 use super::registry::{self, Choice};
-use super::sink::{Marks, Sink};
+use super::sink::{Marks, Sink, Terms};
 use super::solutions::{Branch, JointVector, Nearest, Solutions, Status};
+use super::swivel;
 use super::view::View;
 use super::wrist::Method;
 use crate::error::{Error, Result};
@@ -24,6 +25,7 @@ pub struct Solver {
     structure: Structure,
     choice: Choice,
     method: Method,
+    swivel: Option<f64>,
     ladder: Option<Box<Ladder>>,
 }
 
@@ -59,6 +61,9 @@ impl Solver {
         let structure = classify::of(&arm);
         let choice = registry::choose(&arm, &structure)
             .ok_or_else(|| Error::model("chain", "no solver takes it"))?;
+        if let Some(angle) = question.swivel {
+            check_swivel(angle, question, &choice)?;
+        }
         let needs = matches!(question.goal, Goal::Pose | Goal::PositionAxis);
         let ladder = match needs && arm.chain().dof() < 6 {
             true => Some(Box::new(Ladder::new(&free, question.goal)?)),
@@ -70,6 +75,7 @@ impl Solver {
             structure,
             choice,
             method: question.method,
+            swivel: question.swivel,
             ladder,
         })
     }
@@ -116,6 +122,7 @@ impl Solver {
         self.choice.solver.solve(&target, &mut sink);
         sink.finish();
         if out.status == Status::Unreachable
+            && self.swivel.is_none()
             && out.reason.is_none_or(|reason| reason.is_unmeasured())
         {
             self.measure(pose, out);
@@ -124,8 +131,38 @@ impl Solver {
         Ok(())
     }
 
+    /// The swivel angle of the elbow at given joint values, radians in (-pi, pi]: 0 where the elbow's axis is at a right
+    /// angle to axis 1, growing as the elbow turns about the line from shoulder to wrist, as seen along it. `None` for an
+    /// arm that is not of seven joints with spherical shoulder and wrist, and where axis 1 lies on that line or the arm is
+    /// folded, so that there is no such angle.
+    ///
+    /// ```
+    /// use pieper::ik::{Question, Solver};
+    /// use pieper::kinematics::tool_pose;
+    /// let chain = pieper_robots::find("iiwa14").unwrap().robot().chain()?;
+    /// let q = [0.3, 0.5, 0.2, -1.2, 0.4, 0.9, -0.1];
+    /// let swivel = Solver::new(&chain)?.swivel(&q)?;
+    /// let question = Question { swivel, ..Question::default() };
+    /// let found = Solver::prepare(&chain, &question)?.solve(&tool_pose(&chain, &q)?)?;
+    /// let near = |other: &[f64]| q.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-9);
+    /// assert!(found.iter().any(|solution| near(solution.q())));
+    /// # Ok::<(), pieper::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An input error unless `q` has one finite value for each variable.
+    pub fn swivel(&self, q: &[f64]) -> Result<Option<f64>> {
+        self.chain().check_joint_values(q)?;
+        Ok(self.choice.solver.swivel(&self.arm, &self.view.inward(q)))
+    }
+
     fn sink<'a>(&'a self, pose: &'a Pose, out: &'a mut Solutions) -> Sink<'a> {
-        Sink::new(&self.arm, pose, self.choice.slack, self.method, out)
+        let terms = Terms {
+            slack: self.choice.slack,
+            method: self.method,
+            swivel: self.swivel,
+        };
+        Sink::new(&self.arm, pose, terms, out)
     }
 
     /// Measures a failure for which the row had no number, by search. Should the search reach the pose after all, it
@@ -203,6 +240,24 @@ pub(super) fn check(pose: &Pose) -> Result<()> {
     if off > ORTHONORMAL {
         let text = format!("it is no rotation: off by {off:.3e}, at most 1e-6 was expected");
         return Err(Error::input("rotation part of the pose", text));
+    }
+    Ok(())
+}
+
+/// A swivel angle that is one, of an arm that has one.
+fn check_swivel(angle: f64, question: &Question, choice: &Choice) -> Result<()> {
+    if !angle.is_finite() {
+        return Err(Error::input(
+            "swivel",
+            format!("{angle}: an angle was expected"),
+        ));
+    }
+    if choice.name != swivel::NAME || question.goal != Goal::Pose || !question.held.is_empty() {
+        let text = format!(
+            "it belongs to the whole pose of an arm of seven free joints with a spherical shoulder and wrist; this is solved by the row {}",
+            choice.name
+        );
+        return Err(Error::input("swivel", text));
     }
     Ok(())
 }

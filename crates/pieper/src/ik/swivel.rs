@@ -1,5 +1,6 @@
 //! Seven axes: a spherical shoulder, an elbow, a spherical wrist.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, Point3, Vector3};
@@ -12,7 +13,7 @@ use super::parallel::turned_dot;
 use super::reason::Part;
 use super::registry::Prepared;
 use super::sink::{Marks, Sink};
-use super::solutions::{Branch, Elbow, Wrist};
+use super::solutions::{Branch, Elbow, JointVector, Wrist};
 use super::spherical::turn_z;
 use super::wrist::Ball;
 use crate::spatial::Pose;
@@ -30,6 +31,12 @@ struct Swivel {
     /// The shoulder seen from axes 1 and 3, the wrist seen from axes 5 and 7.
     points: [Point3<f64>; 4],
 }
+
+/// The row's name.
+pub(super) const NAME: &str = "swivel";
+
+/// There is no swivel angle where axis 1 is closer than this to the line from shoulder to wrist, or that as short.
+const FLAT: f64 = 1e-9;
 
 /// Swivel angles tried, as parts of a turn.
 const SWIVELS: usize = 8;
@@ -66,9 +73,22 @@ fn frame(along: &Vector3<f64>, side: &Vector3<f64>) -> Matrix3<f64> {
 }
 
 impl Prepared for Swivel {
+    fn swivel(&self, arm: &Arm, q: &JointVector) -> Option<f64> {
+        let mut elbow = Matrix3::identity();
+        for (drive, link) in arm.drives().iter().zip(&self.links).take(3) {
+            turn_z(&mut elbow, drive.displacement(q).sin_cos());
+            elbow *= link.rotation.matrix();
+        }
+        let line = self.line(&arm.target(&arm.pose(q)));
+        let side = Vector3::z().cross(&line);
+        let plain = side.norm() > FLAT * line.norm() && line.norm() > FLAT * arm.size();
+        let axis = frame(&line, &side).transpose() * elbow.column(2);
+        plain.then(|| axis.z.atan2(axis.y))
+    }
+
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
-        let [shoulder, shoulder_3, wrist_5, wrist_7] = self.points;
-        let line = target * (self.links[6].inverse() * wrist_7) - shoulder;
+        let [_, shoulder_3, wrist_5, _] = self.points;
+        let line = self.line(target);
         let forearm = (self.links[3] * wrist_5).coords;
         let upper = self.links[2].translation.vector - shoulder_3.coords;
         let turn_3 = self.links[2].rotation;
@@ -80,6 +100,7 @@ impl Prepared for Swivel {
             line.norm_squared() - constant,
             sink.slack(),
         );
+        let wanted = sink.swivel();
         let distance = line.norm();
         sink.fail(
             Part::WristBeyond,
@@ -98,12 +119,17 @@ impl Prepared for Swivel {
                 frame(&reach, &axis),
                 frame(&line, &Vector3::z().cross(&line)),
             );
-            for swivel in 0..SWIVELS {
-                let angle = swivel as f64 * std::f64::consts::TAU / SWIVELS as f64;
+            let mut propose = |angle: f64| {
                 let spin = nalgebra::Rotation3::from_axis_angle(&Vector3::x_axis(), angle);
                 let whole = to * spin.matrix() * from.transpose();
-                if self.members(&whole, &(whole * at), target, (fourth, up), sink) {
-                    break;
+                self.members(&whole, &(whole * at), target, (fourth, up), sink)
+            };
+            match wanted {
+                Some(angle) => _ = propose(angle),
+                None => {
+                    _ = (0..SWIVELS)
+                        .map(|swivel| swivel as f64 * TAU / SWIVELS as f64)
+                        .any(propose);
                 }
             }
         }
@@ -111,6 +137,12 @@ impl Prepared for Swivel {
 }
 
 impl Swivel {
+    /// From the shoulder to the wrist's centre, seen from the first axis.
+    fn line(&self, target: &Pose) -> Vector3<f64> {
+        let [shoulder, .., wrist_7] = self.points;
+        target * (self.links[6].inverse() * wrist_7) - shoulder
+    }
+
     /// Proposes the members with this orientation of the shoulder and of the elbow; false if there are none.
     fn members(
         &self,

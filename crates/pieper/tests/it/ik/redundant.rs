@@ -49,6 +49,61 @@ fn families_are_complete_and_distinct() {
     assert_eq!(missed, 0, "of {reached}");
 }
 
+/// At the elbow's angle of a joint vector that vector is among the isolated solutions, and all of them have that angle.
+#[test]
+fn a_swivel_angle_leaves_isolated_solutions() {
+    let mut random = fastrand::Rng::with_seed(43);
+    let mut arms = 0;
+    for (id, solver) in seven().filter(|(_, solver)| solver.choice().name == "swivel") {
+        arms += 1;
+        let chain = solver.chain();
+        for _ in 0..300 {
+            let q = random_joints(chain, &mut random);
+            let swivel = solver.swivel(&q).unwrap();
+            assert!(swivel.is_some(), "{id}: {q:?}");
+            let pose = tool_pose(chain, &q).unwrap();
+            let question = Question {
+                swivel,
+                ..Question::default()
+            };
+            let at = Solver::prepare(chain, &question).unwrap();
+            let found = at.solve(&pose).unwrap();
+            assert_eq!(found.status(), Status::Solved, "{id}: {q:?}");
+            assert!(
+                found.len() >= 4 && found.families().is_empty(),
+                "{id}: {}",
+                found.len()
+            );
+            assert!(contains(&at, &q, &found, 1e-8), "{id}: {q:?}");
+            for solution in found.iter() {
+                let off = difference(&tool_pose(chain, solution.q()).unwrap(), &pose);
+                assert!(off < 1e-12, "{id}: {off:e}");
+                let other = solver.swivel(solution.q()).unwrap().unwrap();
+                let turn = (other - swivel.unwrap()).rem_euclid(std::f64::consts::TAU);
+                let turn = turn.min(std::f64::consts::TAU - turn);
+                assert!(turn < 1e-9, "{id}: elbow at {other}, not {swivel:?}");
+            }
+        }
+    }
+    assert!(arms >= 2, "{arms}");
+    // Arms without such an angle say so, and so do numbers that are none.
+    let ar3 = pieper_robots::find("ar3").unwrap().robot().chain().unwrap();
+    let iiwa = pieper_robots::find("iiwa14")
+        .unwrap()
+        .robot()
+        .chain()
+        .unwrap();
+    for (chain, angle) in [(&ar3, 0.3), (&iiwa, f64::NAN)] {
+        let question = Question {
+            swivel: Some(angle),
+            ..Question::default()
+        };
+        let error = Solver::prepare(chain, &question).unwrap_err().to_string();
+        assert!(error.contains("swivel"), "{error}");
+    }
+    assert_eq!(Solver::new(&ar3).unwrap().swivel(&[0.1; 6]).unwrap(), None);
+}
+
 #[test]
 fn a_held_joint_leaves_all_isolated_solutions() {
     let mut random = fastrand::Rng::with_seed(42);

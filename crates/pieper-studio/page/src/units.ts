@@ -39,7 +39,5 @@ export function kindOf(joint: { kind: string }): Kind {
 }
 
 export function small(value: number): string {
-  if (value === 0) return '0';
-  const exponent = Math.floor(Math.log10(Math.abs(value)));
-  return `${(value / 10 ** exponent).toFixed(1)}e${exponent}`;
+  return value === 0 ? '0' : value.toExponential(1).replace('e+', 'e');
 }

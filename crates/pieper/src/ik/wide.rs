@@ -48,7 +48,7 @@ impl<T: Task> pulp::NullaryFnOnce for Call<'_, T> {
     }
 }
 
-/// One number for each position.
+/// One number for each branch.
 #[derive(Clone, Copy)]
 struct Wide([f64; FOUR]);
 

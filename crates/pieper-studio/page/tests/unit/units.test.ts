@@ -24,3 +24,9 @@ describe('units', () => {
     expect(small(2.22e-16)).toBe('2.2e-16');
   });
 });
+
+describe('small numbers', () => {
+  it('keep one digit behind the point', () => {
+    expect([0, 6.14e-16, 9.98e-16, -2e-3, 12].map(small)).toEqual(['0', '6.1e-16', '1.0e-15', '-2.0e-3', '1.2e1']);
+  });
+});

@@ -126,7 +126,7 @@ impl Roots {
 }
 
 /// Relative squares below this come from root pairs closer than 3e-4 rad: worth a look whether they are one.
-const EDGE: f64 = 1e-8;
+pub(super) const EDGE: f64 = 1e-8;
 
 /// A miss of the class by `s` moves a dimensionless square by a few `s`.
 const SLACK_REACH: f64 = 16.0;

@@ -2,6 +2,7 @@
 
 use super::{FOUR, Sines, Task, Wide, product, turned};
 use crate::ik::TOLERANCES;
+use crate::ik::angle::EDGE;
 
 /// Pieper's equations where axes 2 and 3 are parallel, once it is known how far the point is from axis 2: reaching forward
 /// or back, with the elbow bent either way.
@@ -29,9 +30,6 @@ pub(in crate::ik) struct Folded {
     pub(in crate::ik) turns: [Sines; 3],
     pub(in crate::ik) plain: [bool; 2],
 }
-
-/// Squares of sines below this are left to be looked at one by one: both ways to bend nearly merge.
-const STRETCHED: f64 = 1e-8;
 
 impl Task for Folding {
     type Output = Folded;
@@ -82,8 +80,8 @@ impl Task for Folding {
         let far = self.place[0] * self.place[0] + self.place[1] * self.place[1] > least;
         let mut plain = [far; FOUR];
         for (k, plain) in plain.iter_mut().enumerate() {
-            // What is not a number fails it.
-            *plain &= square.0[k] > STRETCHED
+            // Below the edge both ways to bend nearly merge: to be looked at one by one. What is not a number fails, too.
+            *plain &= square.0[k] > EDGE
                 && reach.0[k] * reach.0[k] > least
                 && bent.0[k] > least
                 && turning.0[k] > least;

@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::{Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
+use crate::ik::angle::EDGE;
 
 /// `K_0 Z_d K_1 Z_e K_2 Z_f K_3` for given d and f: joint e follows from a direction, the other three from a triangle.
 pub(in crate::ik) struct Closing<'a> {
@@ -31,9 +32,6 @@ pub(in crate::ik) struct Closed {
     pub(in crate::ik) bent: [[Sines; 3]; 2],
     pub(in crate::ik) plain: [bool; super::FOUR],
 }
-
-/// Squares of sines below this are left to be looked at one by one: both ways to bend nearly merge.
-const STRETCHED: f64 = 1e-8;
 
 impl Task for Closing<'_> {
     type Output = Closed;
@@ -124,7 +122,7 @@ impl Task for Closing<'_> {
         let enough = TOLERANCES.free * TOLERANCES.free;
         for (k, plain) in plain.iter_mut().enumerate() {
             // What is not a number fails it.
-            *plain = square.0[k] > STRETCHED
+            *plain = square.0[k] > EDGE
                 && reach.0[k] > 2.0 * TOLERANCES.free * long
                 && lengths[0].0[k] > 4.0 * enough
                 && lengths[1].0[k] > 4.0 * enough;

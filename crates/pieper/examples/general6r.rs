@@ -163,6 +163,7 @@ impl Tally {
         self.roots += roots.len();
         self.eliminations += match completeness {
             Completeness::OutOfReach => 0,
+            Completeness::Equation => 1,
             Completeness::Agreed { eliminations }
             | Completeness::Singular { eliminations }
             | Completeness::Doubtful { eliminations } => usize::from(eliminations),
@@ -407,7 +408,10 @@ fn sliding(arms: usize, poses: usize, structured: bool, random: &mut fastrand::R
                 most = most.max(roots.len());
                 total += roots.len();
                 odd += roots.len() % 2;
-                agreed += usize::from(matches!(completeness, Completeness::Agreed { .. }));
+                agreed += usize::from(matches!(
+                    completeness,
+                    Completeness::Agreed { .. } | Completeness::Equation
+                ));
                 singular += usize::from(matches!(completeness, Completeness::Singular { .. }));
                 let mut nearest = f64::INFINITY;
                 for root in roots.iter() {

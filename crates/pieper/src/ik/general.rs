@@ -26,6 +26,7 @@ mod lanes;
 mod line;
 mod newton;
 mod number;
+mod offset;
 mod orientation;
 mod polynomial;
 mod pool;
@@ -61,6 +62,8 @@ pub struct General {
     eliminations: Vec<way::Way>,
     /// How many are run at least.
     least: usize,
+    /// The equation without elimination of an arm that has one; tried first.
+    offset: Option<Box<offset::Offset>>,
 }
 
 /// The arm as the eliminations see it: lengths scaled to add up to 3, no shift along the first and last axis.
@@ -122,6 +125,9 @@ pub enum Completeness {
         /// Eliminations run.
         eliminations: u8,
     },
+    /// The arm has an offset wrist, and its equation in one unknown rose well above its noise everywhere: every root was
+    /// found, and each led to a solution.
+    Equation,
     /// The target is farther than the links together reach: there is none.
     OutOfReach,
     /// Some root is singular, where roots merge or form a family: isolated roots were found as usual, but how many there
@@ -157,15 +163,16 @@ impl General {
     pub fn prepare_with_slides(links: &[Pose; 6], slides: &[Option<f64>; 6]) -> Result<Self> {
         let arm = Scaled::new(links, slides)?;
         let tables = Box::new(Tables::new());
-        let (eliminations, least) = Arch::new().dispatch(trial::Trial {
+        let chosen = Arch::new().dispatch(trial::Trial {
             arm: &arm,
             tables: &tables,
         })?;
         Ok(Self {
             arm,
             tables,
-            eliminations,
-            least,
+            eliminations: chosen.ways,
+            least: chosen.least,
+            offset: chosen.offset,
         })
     }
 

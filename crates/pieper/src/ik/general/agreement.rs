@@ -25,6 +25,16 @@ pub(super) fn run<S: Simd>(
 ) -> Completeness {
     let mut pool = Pool::new();
     let mut sigma = [0.0; CAPACITY];
+    if let Some(offset) = &general.offset {
+        let doubt = offset.run(simd, &general.tables, goal, target, &mut pool);
+        if !doubt.drowned && !doubt.near_miss && pool.count.is_multiple_of(2) {
+            siblings::measure_new(simd, goal, &pool, 0, &mut sigma);
+            if singular(&pool, &sigma) == 0 && siblings::paired(&pool, &sigma) {
+                write(general, &pool, &sigma, out);
+                return Completeness::Equation;
+            }
+        }
+    }
     let (mut measured, mut run) = (0, 0);
     let (mut agreed, mut near_miss) = (false, false);
     let mut reports = [Report::default(); MOST];

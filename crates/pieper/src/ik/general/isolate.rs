@@ -13,6 +13,15 @@ use super::tolerances::TOLERANCES;
 /// Most candidates: 16 roots, or fewer with near-misses, two extra each.
 pub(super) const CANDIDATES: usize = 32;
 
+/// What a polynomial is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// Of an elimination: its perturbation moves roots, so that a close complex pair may be two real roots.
+    Elimination,
+    /// Of the true equation: it says the truth wherever it is above its noise, and where it is not, it is drowned.
+    Equation,
+}
+
 /// Intervals that hold one root each, and points that may be one: angle = middle of the arc + offset.
 #[derive(Clone, Debug)]
 pub(super) struct Candidates {
@@ -68,15 +77,21 @@ impl Candidates {
     }
 }
 
-/// The Bernstein coefficients of all arcs and the number of their sign changes.
+/// Of every arc, how often the sign of the Bernstein coefficients changes, and how many of them noise may have changed.
+struct Signs {
+    changes: [f64; ARCS],
+    vague: [f64; ARCS],
+}
+
+/// The Bernstein coefficients of all arcs and their signs.
 #[inline(always)]
 fn bernstein<S: Simd>(
     simd: S,
     tables: &Tables,
     polynomial: &Trigonometric,
     out: &mut [[f64; ARCS]; BERNSTEIN],
-    changes: &mut [f64; ARCS],
-    least: &mut [f64; ARCS],
+    noise: f64,
+    signs: &mut Signs,
 ) {
     let zero = Lane::splat(simd, 0.0);
     let one = Lane::splat(simd, 1.0);
@@ -101,17 +116,18 @@ fn bernstein<S: Simd>(
             list[i] = symmetric + opposite;
             list[BERNSTEIN - 1 - i] = symmetric - opposite;
         }
-        let (mut count, mut smallest) = (zero, list[0].abs());
+        let drowned = Lane::splat(simd, TOLERANCES.drowned * noise);
+        let (mut count, mut vague) = (zero, zero);
         for i in 0..BERNSTEIN {
             list[i].store(&mut out[i], register);
-            smallest = smallest.min(list[i].abs());
+            vague = vague + list[i].abs().less(drowned).pick(one, zero);
             if i > 0 {
                 let change = (list[i - 1] * list[i]).less(zero);
                 count = count + change.pick(one, zero);
             }
         }
-        count.store(changes, register);
-        smallest.store(least, register);
+        count.store(&mut signs.changes, register);
+        vague.store(&mut signs.vague, register);
     }
 }
 
@@ -122,25 +138,30 @@ pub(super) fn isolate<S: Simd>(
     tables: &Tables,
     polynomial: &Trigonometric,
     noise: f64,
+    origin: Origin,
     out: &mut Candidates,
 ) {
     let mut coefficients = [[0.0; ARCS]; BERNSTEIN];
-    let mut changes = [0.0; ARCS];
-    let mut least = [0.0; ARCS];
+    let mut signs = Signs {
+        changes: [0.0; ARCS],
+        vague: [0.0; ARCS],
+    };
     bernstein(
         simd,
         tables,
         polynomial,
         &mut coefficients,
-        &mut changes,
-        &mut least,
+        noise,
+        &mut signs,
     );
-    for (arc, &changes) in changes.iter().enumerate() {
+    for (arc, (&changes, &vague)) in signs.changes.iter().zip(&signs.vague).enumerate() {
         if changes == 0.0 {
-            out.drowned |= least[arc] < TOLERANCES.drowned * noise;
+            out.drowned |= vague > 0.0;
             continue;
         }
         if changes == 1.0 {
+            // One coefficient between two others may be noise; two may be two changes more.
+            out.drowned |= origin == Origin::Equation && vague > 1.0;
             let ends = (coefficients[0][arc], coefficients[BERNSTEIN - 1][arc]);
             out.push(arc, (-HALF, HALF), ends);
         } else {
@@ -149,6 +170,7 @@ pub(super) fn isolate<S: Simd>(
                 tables,
                 polynomial,
                 noise,
+                origin,
                 index: arc,
             }
             .subdivide(list, out);
@@ -161,6 +183,7 @@ struct Arc<'a> {
     tables: &'a Tables,
     polynomial: &'a Trigonometric,
     noise: f64,
+    origin: Origin,
     index: usize,
 }
 
@@ -191,7 +214,10 @@ impl Arc<'_> {
             let width = piece.high - piece.low;
             match sign_changes(&piece.list) {
                 0 => self.touch(&piece, &mut proposed, out),
-                1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
+                1 => {
+                    out.drowned |= self.is_vague(&piece, 1);
+                    out.push(self.index, (piece.low, piece.high), piece.ends());
+                }
                 2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
                 _ if width < TOLERANCES.least_width || depth + 2 > DEPTH => {
                     out.push_point(self.index, 0.5 * (piece.low + piece.high));
@@ -203,6 +229,13 @@ impl Arc<'_> {
                 }
             }
         }
+    }
+
+    /// Whether noise may have hidden some of the sign changes of a piece.
+    fn is_vague(&self, piece: &Piece, changes: usize) -> bool {
+        let least = TOLERANCES.drowned * self.noise;
+        let vague = || piece.list.iter().filter(|x| x.abs() < least).count();
+        self.origin == Origin::Equation && vague() > changes
     }
 
     /// No root, unless the polynomial is so small there that noise may hide some: then the point where it is smallest is
@@ -249,11 +282,16 @@ impl Arc<'_> {
         }
         let (at_low, at_high) = piece.ends();
         if (values[0] < 0.0) != (at_low < 0.0) {
+            out.drowned |= self.is_vague(piece, 2);
             out.push(self.index, (piece.low, at), (at_low, values[0]));
             out.push(self.index, (at, piece.high), (values[0], at_high));
             return true;
         }
         out.drowned |= values[0].abs() < TOLERANCES.drowned * self.noise;
+        if self.origin == Origin::Equation {
+            // Halved until the pair leaves no more sign changes: there may be other extrema beside.
+            return false;
+        }
         let imaginary = (2.0 * values[0] / values[2]).abs().sqrt();
         if imaginary < TOLERANCES.near_miss && !*proposed {
             *proposed = true;
@@ -324,7 +362,7 @@ mod tests {
     impl pulp::WithSimd for Isolate<'_> {
         type Output = ();
         fn with_simd<S: Simd>(self, simd: S) {
-            isolate(simd, self.0, self.1, 0.0, self.2);
+            isolate(simd, self.0, self.1, 0.0, Origin::Elimination, self.2);
         }
     }
 
@@ -342,6 +380,7 @@ mod tests {
                     tables: &tables,
                     polynomial: &polynomial,
                     noise: 0.0,
+                    origin: Origin::Elimination,
                     index: k / 256,
                 };
                 arc.values(((k % 256) as f64 / 128.0 - 1.0) * HALF)[0]

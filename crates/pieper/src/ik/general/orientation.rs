@@ -10,7 +10,7 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 use pulp::{Simd, WithSimd};
 
-use super::isolate::{CANDIDATES, Candidates, isolate};
+use super::isolate::{CANDIDATES, Candidates, Origin, isolate};
 use super::lanes::{Lane, Turn};
 use super::newton::{Goal, newton};
 use super::polynomial::{Sampled, transform};
@@ -298,6 +298,7 @@ impl WithSimd for Isolate<'_> {
             self.tables,
             polynomial,
             self.sampled.noise,
+            Origin::Elimination,
             candidates,
         );
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {

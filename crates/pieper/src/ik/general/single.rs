@@ -5,7 +5,7 @@ use pulp::{Simd, WithSimd};
 use super::back::{self, Links};
 use super::cycle::Case;
 use super::elimination::{Harmonics, Linear};
-use super::isolate::{Candidates, isolate};
+use super::isolate::{Candidates, Origin, isolate};
 use super::lanes::{Lane, Mask, Rigid, Turn, square};
 use super::newton::{Angles, Goal, newton};
 use super::number::Double;
@@ -225,6 +225,7 @@ impl WithSimd for Isolate<'_> {
             self.tables,
             &self.sampled.polynomial,
             self.sampled.noise,
+            Origin::Elimination,
             self.out,
         );
     }

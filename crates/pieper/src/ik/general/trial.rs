@@ -7,6 +7,7 @@ use super::cycle::{CASES, Case};
 use super::elimination::Linear;
 use super::lanes::Rigid;
 use super::newton::Goal;
+use super::offset::Offset;
 use super::orientation::Orientation;
 use super::pool::Pool;
 use super::random::Random;
@@ -43,6 +44,16 @@ pub(super) struct Trial<'a> {
     pub(super) tables: &'a Tables,
 }
 
+/// What an arm is solved by.
+pub(super) struct Chosen {
+    /// In the order in which they are run.
+    pub(super) ways: Vec<Way>,
+    /// How many are run at least.
+    pub(super) least: usize,
+    /// The equation without elimination, if the arm has one.
+    pub(super) offset: Option<Box<Offset>>,
+}
+
 /// An elimination and what it found.
 struct Score {
     way: Way,
@@ -53,7 +64,7 @@ struct Score {
 }
 
 impl WithSimd for Trial<'_> {
-    type Output = Result<(Vec<Way>, usize)>;
+    type Output = Result<Chosen>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
@@ -94,7 +105,12 @@ impl WithSimd for Trial<'_> {
                 })));
             }
         }
-        Ok((ways, least))
+        let offset = self.offset(simd, &targets, &pools);
+        Ok(Chosen {
+            ways,
+            least,
+            offset,
+        })
     }
 }
 
@@ -106,6 +122,32 @@ impl Trial<'_> {
     fn cases(&self) -> impl Iterator<Item = Case> + use<> {
         let slides = self.arm.slides;
         CASES.into_iter().filter(move |case| case.takes(&slides))
+    }
+
+    /// The equation of an offset wrist, if it finds what all eliminations together found: of arms that are more special
+    /// yet, it may have double roots only.
+    #[inline(always)]
+    fn offset<S: Simd>(
+        &self,
+        simd: S,
+        targets: &[Target],
+        pools: &[Pool],
+    ) -> Option<Box<Offset>> {
+        if self.arm.slides.contains(&true) {
+            return None;
+        }
+        let offset = Box::new(Offset::new(&self.arm.poses)?);
+        let (mut sure, mut wrong) = (0, 0);
+        for (target, known) in targets.iter().zip(pools) {
+            let mut pool = Pool::new();
+            let goal = self.goal(target);
+            let doubt = offset.run(simd, self.tables, &goal, target, &mut pool);
+            if !doubt.drowned && !doubt.near_miss {
+                sure += 1;
+                wrong += usize::from(pool.count != known.count);
+            }
+        }
+        (2 * sure > POSES && wrong == 0).then_some(offset)
     }
 
     /// Every way with this perturbation.

@@ -25,20 +25,24 @@ pub(super) fn run<S: Simd>(
 ) -> Completeness {
     let mut pool = Pool::new();
     let mut sigma = [0.0; CAPACITY];
+    let (mut measured, mut run) = (0, 0);
+    let (mut agreed, mut near_miss) = (false, false);
+    let mut reports = [Report::default(); MOST + 1];
     if let Some(offset) = &general.offset {
         let doubt = offset.run(simd, &general.tables, goal, target, &mut pool);
-        if !doubt.drowned && !doubt.near_miss && pool.count.is_multiple_of(2) {
+        let clear = !doubt.drowned && !doubt.near_miss;
+        if clear && pool.count.is_multiple_of(2) {
             siblings::measure_new(simd, goal, &pool, 0, &mut sigma);
             if singular(&pool, &sigma) == 0 && siblings::paired(&pool, &sigma) {
                 write(general, &pool, &sigma, out);
                 return Completeness::Equation;
             }
         }
+        let hit = pool.hit;
+        reports[0] = Report { hit, clear };
+        run = 1;
     }
-    let (mut measured, mut run) = (0, 0);
-    let (mut agreed, mut near_miss) = (false, false);
-    let mut reports = [Report::default(); MOST];
-    for elimination in general.eliminations.iter().take(MOST) {
+    for elimination in &general.eliminations {
         let before = pool.count;
         pool.start();
         let doubt = elimination.run(simd, &general.tables, goal, target, &mut pool);
@@ -55,7 +59,7 @@ pub(super) fn run<S: Simd>(
         siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
         if pool.merge(&mut sigma) {
             // The numbers of the roots have changed.
-            reports = [Report::default(); MOST];
+            reports = [Report::default(); MOST + 1];
             reports[run - 1].hit = pool.hit;
             reports[run - 1].clear = !doubt.drowned;
         }

@@ -71,6 +71,18 @@ impl Candidates {
         self.start[k] = share.mul_add(high - low, low);
     }
 
+    /// Fills the last register with copies of a candidate: what else is there would be worked on until it is given up.
+    fn pad(&mut self) {
+        let last = self.count.next_multiple_of(8).min(CANDIDATES);
+        for k in self.count..last {
+            self.arc[k] = self.arc[0];
+            self.low[k] = self.low[0];
+            self.high[k] = self.high[0];
+            self.sign[k] = self.sign[0];
+            self.start[k] = self.start[0];
+        }
+    }
+
     fn push_point(&mut self, arc: usize, at: f64) {
         self.unsure = true;
         self.push(arc, (at, at), (1.0, -1.0));
@@ -176,6 +188,7 @@ pub(super) fn isolate<S: Simd>(
             .subdivide(list, out);
         }
     }
+    out.pad();
 }
 
 /// One arc and the polynomial on it.

@@ -167,8 +167,9 @@ impl Offset {
             drowned: candidates.drowned,
             noise: sampled.noise,
         };
+        let (mut expected, before) = (0, pool.count);
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            doubt.drowned |= simd.vectorize(Finish {
+            let finished = simd.vectorize(Finish {
                 offset: self,
                 tables,
                 goal,
@@ -179,7 +180,11 @@ impl Offset {
                 register,
                 pool,
             });
+            doubt.drowned |= finished.doubtful;
+            expected += finished.expected;
         }
+        // Two roots that lead to the same solution are one root found twice, and another lost.
+        doubt.drowned |= pool.count != before + expected;
         doubt
     }
 }
@@ -238,21 +243,32 @@ struct Finish<'a, 'b> {
 /// The noise at least: rounding of the transform, which may by chance leave no trace in the harmonics above.
 const NOISE: f64 = 2.0 * f64::EPSILON;
 
+/// Radians; see [`polish`]: roots this close are still told apart.
+const POLISHED: f64 = 1e-8;
+
 /// Newton steps on the equation itself, with the polynomial's slope.
 const DIRECT: usize = 1;
 
+/// What became of the candidates of one register.
+struct Finished {
+    /// Whether solutions may have been missed.
+    doubtful: bool,
+    /// How many solutions there should be.
+    expected: usize,
+}
+
 impl WithSimd for Finish<'_, '_> {
-    /// Whether roots may have been missed.
-    type Output = bool;
+    type Output = Finished;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(mut self, simd: S) -> bool {
+    fn with_simd<S: Simd>(mut self, simd: S) -> Finished {
         let polished = polish(
             simd,
             self.tables,
             &self.sampled.polynomial,
             self.candidates,
             self.register,
+            POLISHED,
         );
         let zero = Lane::splat(simd, 0.0);
         let simple = zero.less(polished.most);
@@ -271,15 +287,41 @@ impl WithSimd for Finish<'_, '_> {
         // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
         let (real, unsure) = at.is_real();
         doubt |= simple.and(unsure).any();
-        let mut good = self.finish(simd, angle, &at.first(symmetric));
+        let x = at.first(symmetric);
+        let mut good = self.finish(simd, angle, &at.branch(x, at.turn(x)));
         if symmetric {
-            good = good.and(self.finish(simd, angle, &at.second()));
+            good = good.and(self.finish(simd, angle, &at.branch(-x, at.turn(-x))));
         }
-        doubt | simple.and(real).and_not(good).any()
+        if !simple.all() {
+            self.search(simd, angle, &at);
+        }
+        let due = simple.and(real);
+        let used = self.used::<S>();
+        Finished {
+            doubtful: doubt | due.and_not(good).any(),
+            expected: due.count(used) << u32::from(symmetric),
+        }
     }
 }
 
 impl Finish<'_, '_> {
+    /// Around what is no simple root there may be several, of which the linear equations say nothing.
+    #[inline(always)]
+    fn search<S: Simd>(&mut self, simd: S, angle: Turn<S>, at: &equation::Values<S>) {
+        let x = at.distance();
+        for x in [x, -x] {
+            for turn in at.turns(x) {
+                self.finish(simd, angle, &at.branch(x, turn));
+            }
+        }
+    }
+
+    /// Lanes that hold a candidate of their own.
+    fn used<S: Simd>(&self) -> usize {
+        let left = self.candidates.count - self.register * S::F64_LANES;
+        left.min(S::F64_LANES)
+    }
+
     /// From the unknown to solutions; whether there is one close to it.
     #[inline(always)]
     fn finish<S: Simd>(
@@ -296,9 +338,8 @@ impl Finish<'_, '_> {
             }
         }
         let errors = newton(simd, self.goal, &mut q);
-        let used = self.candidates.count - self.register * S::F64_LANES;
-        self.pool
-            .add(&q, errors, used.min(S::F64_LANES), TOLERANCES.closes);
+        let used = self.used::<S>();
+        self.pool.add(&q, errors, used, TOLERANCES.closes);
         let kept = q[self.offset.unknown()];
         let kept = if self.offset.reversed {
             kept.reversed()

@@ -16,7 +16,7 @@ use super::newton::{Goal, newton};
 use super::polynomial::{Sampled, transform};
 use super::pool::{Point, Pool};
 use super::random::Random;
-use super::refine::polish;
+use super::refine::{POLISHED, polish};
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
 use super::tolerances::TOLERANCES;
@@ -302,7 +302,14 @@ impl WithSimd for Isolate<'_> {
             candidates,
         );
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            let polished = polish(simd, self.tables, polynomial, candidates, register);
+            let polished = polish(
+                simd,
+                self.tables,
+                polynomial,
+                candidates,
+                register,
+                POLISHED,
+            );
             polished.turn.cos.store(cos, register);
             polished.turn.sin.store(sin, register);
         }

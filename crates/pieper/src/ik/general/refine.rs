@@ -19,7 +19,7 @@ pub(super) struct Polished<S: Simd> {
 /// Newton steps at most; the last ones only for intervals that had to be halved.
 const STEPS: usize = 12;
 
-/// The roots of the candidates in register `register`.
+/// The roots of the candidates in register `register`, by steps of which the last is shorter than `polished`, radians.
 #[inline(always)]
 pub(super) fn polish<S: Simd>(
     simd: S,
@@ -27,9 +27,10 @@ pub(super) fn polish<S: Simd>(
     polynomial: &Trigonometric,
     candidates: &Candidates,
     register: usize,
+    polished: f64,
 ) -> Polished<S> {
     let (mut cos, mut sin) = ([1.0; CANDIDATES], [0.0; CANDIDATES]);
-    for k in 0..candidates.count {
+    for k in 0..candidates.count.next_multiple_of(8).min(CANDIDATES) {
         cos[k] = tables.arc_cos[0][usize::from(candidates.arc[k])];
         sin[k] = tables.arc_sin[0][usize::from(candidates.arc[k])];
     }
@@ -59,15 +60,15 @@ pub(super) fn polish<S: Simd>(
         at = next;
         turn = local(middle, at);
         (value, slope) = evaluate(polynomial, turn);
-        if moved.largest() < POLISHED {
+        if moved.largest() < polished {
             break;
         }
     }
     Polished { turn, slope, most }
 }
 
-/// A step in radians after which the next one, by quadratic convergence, is at the noise of the coefficients.
-const POLISHED: f64 = 1e-5;
+/// A step in radians after which the next one, by quadratic convergence, is at the noise of an elimination's coefficients.
+pub(super) const POLISHED: f64 = 1e-5;
 
 /// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.
 #[inline(always)]

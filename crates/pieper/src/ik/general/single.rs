@@ -11,7 +11,7 @@ use super::newton::{Angles, Goal, newton};
 use super::number::Double;
 use super::polynomial::{Sampled, sample};
 use super::pool::Pool;
-use super::refine::polish;
+use super::refine::{POLISHED, polish};
 use super::resultant::{self, Form, Reduced};
 use super::tables::Tables;
 use super::tolerances::TOLERANCES;
@@ -270,6 +270,7 @@ impl WithSimd for Finish<'_, '_> {
             polynomial,
             self.candidates,
             self.register,
+            POLISHED,
         );
         let zero = Lane::splat(simd, 0.0);
         let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky);

@@ -130,11 +130,10 @@ impl Equation {
         let [px, py, ph] = vector(&self.inner_place, angle);
         let [mx, my, mh] = vector(&self.inner_axis, angle);
         let plane = &self.plane;
-        let all = |value: f64| x.constant(value);
         let (sin, cos) = plane.alpha1;
-        let (s, c) = (all(sin), all(cos));
-        let height = ph + all(plane.side);
-        let side = c.mul_add(z, -height) * all(1.0 / sin);
+        let (s, c) = (x.constant(sin), x.constant(cos));
+        let height = ph + x.constant(plane.side);
+        let side = c.mul_add(z, -height) * x.constant(1.0 / sin);
         let v = c.mul_add(side, s * z);
         let square = x.mul_add(x, y * y);
         let root = side.subtract_product(side, square);
@@ -154,10 +153,10 @@ impl Equation {
             odd: -(s * cross),
         };
         let k = Both {
-            even: mh.subtract_product(off.even, square * all(plane.cosine)),
+            even: mh.subtract_product(off.even, square * x.constant(plane.cosine)),
             odd: -(mh * off.odd),
         };
-        let minus_a1 = all(-plane.a1);
+        let minus_a1 = x.constant(-plane.a1);
         let a = [
             Both {
                 even: minus_a1.mul_add(px, v * py),
@@ -172,14 +171,14 @@ impl Equation {
             along.combined(mx, up, my),
             along.combined(my, up, -mx),
         ];
-        let lengths = all(plane.a1 * plane.a1 - plane.a2 * plane.a2);
+        let lengths = x.constant(plane.a1 * plane.a1 - plane.a2 * plane.a2);
         let squares = px.mul_add(px, py.mul_add(py, v.mul_add(v, root + lengths)));
         let m = Both {
-            even: squares * all(0.5),
+            even: squares * x.constant(0.5),
             odd: minus_a1,
         };
-        let difference = |b: Both<S>, a: Both<S>| m.times(b, root).minus(k.times(a, root));
-        let (real, imaginary) = (difference(b[0], a[0]), difference(b[1], a[1]));
+        let real = m.times(b[0], root).minus(k.times(a[0], root));
+        let imaginary = m.times(b[1], root).minus(k.times(a[1], root));
         let turned = a[0].times(b[1], root).minus(a[1].times(b[0], root));
         let squares = real.times(real, root).plus(imaginary.times(imaginary, root));
         Values {
@@ -187,6 +186,10 @@ impl Equation {
             real,
             imaginary,
             turned,
+            lines: [
+                Line { normal: a, right: m },
+                Line { normal: b, right: k },
+            ],
             root,
             square,
             side,
@@ -259,6 +262,39 @@ impl<S: Simd> Both<S> {
     }
 }
 
+/// `Re(normal E) = right`
+#[derive(Clone, Copy)]
+struct Line<S: Simd> {
+    normal: [Both<S>; 2],
+    right: Both<S>,
+}
+
+impl<S: Simd> Line<S> {
+    /// Both E of length 1 on it; the nearest one if it passes by.
+    #[inline(always)]
+    fn turns(&self, x: Lane<S>) -> [Turn<S>; 2] {
+        let (a, b, m) = (
+            self.normal[0].at(x),
+            self.normal[1].at(x),
+            self.right.at(x),
+        );
+        let zero = x.constant(0.0);
+        let square = m.subtract_product(m, a.mul_add(a, b * b));
+        let half = square.max(zero).sqrt();
+        // E = (a - i b) (m +- i half), up to its length.
+        [
+            Turn::along(
+                a.mul_add(m, b * half),
+                a.mul_add(half, -(b * m)),
+            ),
+            Turn::along(
+                a.mul_add(m, -(b * half)),
+                -a.mul_add(half, b * m),
+            ),
+        ]
+    }
+}
+
 /// The equation and what leads on from it.
 #[derive(Clone, Copy)]
 pub(super) struct Values<S: Simd> {
@@ -266,6 +302,7 @@ pub(super) struct Values<S: Simd> {
     real: Both<S>,
     imaginary: Both<S>,
     turned: Both<S>,
+    lines: [Line<S>; 2],
     /// The square of x'.
     root: Lane<S>,
     square: Lane<S>,
@@ -320,31 +357,39 @@ impl<S: Simd> Values<S> {
 
     /// The x' that the equation asks for; where it does not occur, the positive one.
     #[inline(always)]
-    pub(super) fn first(&self, symmetric: bool) -> Branch<S> {
-        let zero = self.root.constant(0.0);
-        let x = self.root.max(zero).sqrt();
+    pub(super) fn first(&self, symmetric: bool) -> Lane<S> {
+        let x = self.distance();
         if symmetric {
-            return self.branch(x);
+            return x;
         }
         let Both { even, odd } = self.equation;
-        let against = zero.less(even * odd);
-        self.branch(against.pick(-x, x))
+        x.constant(0.0).less(even * odd).pick(-x, x)
     }
 
-    /// The negative x'.
+    /// The positive x'.
     #[inline(always)]
-    pub(super) fn second(&self) -> Branch<S> {
-        let zero = self.root.constant(0.0);
-        self.branch(-self.root.max(zero).sqrt())
+    pub(super) fn distance(&self) -> Lane<S> {
+        self.root.max(self.root.constant(0.0)).sqrt()
     }
 
+    /// The turn of link 3 at a simple root: where both lines meet.
     #[inline(always)]
-    fn branch(&self, x: Lane<S>) -> Branch<S> {
+    pub(super) fn turn(&self, x: Lane<S>) -> Turn<S> {
         let turned = self.turned.at(x);
-        let both = Turn::along(
-            self.imaginary.at(x) * turned,
-            self.real.at(x) * turned,
-        );
+        Turn::along(self.imaginary.at(x) * turned, self.real.at(x) * turned)
+    }
+
+    /// The turns of link 3 on either line alone: at a double root the other one may say nothing.
+    #[inline(always)]
+    pub(super) fn turns(&self, x: Lane<S>) -> [Turn<S>; 4] {
+        let [position, direction] = &self.lines;
+        let ([a, b], [c, d]) = (position.turns(x), direction.turns(x));
+        [a, b, c, d]
+    }
+
+    /// What follows from x' and the turn of link 3.
+    #[inline(always)]
+    pub(super) fn branch(&self, x: Lane<S>, both: Turn<S>) -> Branch<S> {
         let [px, py] = self.inner;
         let spun = [
             both.sin.subtract_product(py, both.cos * px),

@@ -169,13 +169,6 @@ impl<S: Simd> Mask<S> {
         list[..lanes].iter().filter(|&&x| x > 0.0).count()
     }
 
-    /// Whether it holds in every lane.
-    #[inline(always)]
-    pub(super) fn all(self) -> bool {
-        let (one, zero) = (Lane::splat(self.simd, 1.0), Lane::splat(self.simd, 0.0));
-        self.pick(one, zero).smallest() > 0.0
-    }
-
     /// Whether it holds in some lane.
     #[inline(always)]
     pub(super) fn any(self) -> bool {

@@ -167,24 +167,37 @@ impl Offset {
             drowned: candidates.drowned,
             noise: sampled.noise,
         };
-        let (mut expected, before) = (0, pool.count);
-        for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            let finished = simd.vectorize(Finish {
-                offset: self,
-                tables,
-                goal,
-                target: &target,
-                equation: &equation,
-                sampled: &sampled,
-                candidates: &candidates,
-                register,
-                pool,
-            });
-            doubt.drowned |= finished.doubtful;
-            expected += finished.expected;
-        }
+        let before = pool.count;
+        let finish = |thorough: bool, pool: &mut Pool| {
+            let mut sum = Finished {
+                doubtful: false,
+                expected: 0,
+            };
+            for register in 0..candidates.count.div_ceil(S::F64_LANES) {
+                let finished = simd.vectorize(Finish {
+                    offset: self,
+                    tables,
+                    goal,
+                    target: &target,
+                    equation: &equation,
+                    sampled: &sampled,
+                    candidates: &candidates,
+                    register,
+                    thorough,
+                    pool,
+                });
+                sum.doubtful |= finished.doubtful;
+                sum.expected += finished.expected;
+            }
+            sum
+        };
+        let finished = finish(false, pool);
+        doubt.drowned |= finished.doubtful;
         // Two roots that lead to the same solution are one root found twice, and another lost.
-        doubt.drowned |= pool.count != before + expected;
+        doubt.drowned |= pool.count != before + finished.expected;
+        if doubt.drowned || doubt.near_miss {
+            finish(true, pool);
+        }
         doubt
     }
 }
@@ -237,6 +250,8 @@ struct Finish<'a, 'b> {
     sampled: &'a Sampled,
     candidates: &'a Candidates,
     register: usize,
+    /// Whether to look for roots beside the simple ones.
+    thorough: bool,
     pool: &'a mut Pool,
 }
 
@@ -292,7 +307,7 @@ impl WithSimd for Finish<'_, '_> {
         if symmetric {
             good = good.and(self.finish(simd, angle, &at.branch(-x, at.turn(-x))));
         }
-        if !simple.all() {
+        if self.thorough {
             self.search(simd, angle, &at);
         }
         let due = simple.and(real);

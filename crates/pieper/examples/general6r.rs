@@ -461,7 +461,7 @@ fn near_right_angles(poses: usize, random: &mut fastrand::Rng) {
             continue;
         };
         let solver = Solver::new(&chain).unwrap();
-        if solver.choice().name != "general" || (chain.dof() != 6) {
+        if !["general", "offset-wrist"].contains(&solver.choice().name) || (chain.dof() != 6) {
             continue;
         }
         let (mut targets, mut missed, mut unsolved, mut times) = (0, 0, 0, Vec::new());

@@ -49,6 +49,12 @@ pub enum Class {
         /// The first of the three.
         first: usize,
     },
+    /// Six axes that turn; of them, counted from the base, or from the tool if mirrored, axes 2 and 3 are parallel and axis 5
+    /// meets axis 4 or axis 6. Exactly: arms that miss it are general.
+    OffsetWrist {
+        /// Whether it is so from the tool.
+        mirrored: bool,
+    },
     /// Every axis is parallel to every other: SCARA and planar arms.
     AllParallel,
     /// Seven axes that turn: the first three and the last three pass through one point each.
@@ -66,6 +72,10 @@ impl fmt::Display for Class {
             }
             Self::Spherical { .. } => f.write_str("spherical joint in mid-arm"),
             Self::ThreeParallel { .. } => f.write_str("three parallel axes"),
+            Self::OffsetWrist { mirrored: false } => f.write_str("offset wrist"),
+            Self::OffsetWrist { mirrored: true } => {
+                f.write_str("offset shoulder (a mirrored offset wrist)")
+            }
             Self::AllParallel => f.write_str("all axes parallel"),
             Self::SphericalRotationalSpherical => {
                 f.write_str("spherical shoulder, elbow, spherical wrist")
@@ -170,6 +180,13 @@ fn find_classes(arm: &Arm, normals: &[Normal], pairs: &[Pair], classes: &mut Vec
             }
         }
     }
+    if arm.steps() == 6 && classes.is_empty() && turns.iter().all(|&turns| turns) {
+        for mirrored in [false, true] {
+            if let Some(miss) = offset_miss(normals, pairs, mirrored) {
+                classes.push((Class::OffsetWrist { mirrored }, miss));
+            }
+        }
+    }
     if arm.steps() == 7
         && turns[3]
         && let (Some(shoulder), Some(wrist)) = (spherical(0), spherical(4))
@@ -183,6 +200,19 @@ fn find_classes(arm: &Arm, normals: &[Normal], pairs: &[Pair], classes: &mut Vec
         let miss = pairs.iter().map(|pair| pair.miss).fold(0.0, f64::max);
         classes.push((Class::AllParallel, miss));
     }
+}
+
+/// How far an arm misses an offset wrist, by rounding only; `None` if by more.
+fn offset_miss(normals: &[Normal], pairs: &[Pair], mirrored: bool) -> Option<f64> {
+    let at = |index: usize| if mirrored { 4 - index } else { index };
+    let upper = (pairs[at(1)].relation == Relation::Parallel).then_some(pairs[at(1)].miss)?;
+    let parallel = [0, 2].iter().any(|&index| normals[at(index)].is_parallel());
+    let crossing = [3, 4]
+        .map(|index| normals[at(index)])
+        .into_iter()
+        .find(|normal| normal.crosses() && normal.miss < TOLERANCES.exact)?;
+    let miss = upper.max(crossing.miss);
+    (!parallel && miss < TOLERANCES.exact).then_some(miss)
 }
 
 impl Structure {
@@ -210,6 +240,20 @@ impl Structure {
                 "axes {} are parallel (missed by {miss:.1e} rad)",
                 axes(first, first + 2)
             )),
+            Class::OffsetWrist { mirrored } => {
+                let [second, third, fourth, fifth, sixth] =
+                    [2, 3, 4, 5, 6].map(|axis| if mirrored { 7 - axis } else { axis });
+                let meets = |other: usize| {
+                    let first = fifth.min(other) - 1;
+                    self.pairs[first].relation == Relation::Meeting
+                };
+                let other = if meets(fourth) { fourth } else { sixth };
+                out.push(format!(
+                    "axes {} and {} are parallel, and axis {fifth} meets axis {other}: one equation in one angle is left",
+                    second.min(third),
+                    second.max(third)
+                ));
+            }
             Class::AllParallel => {
                 out.push(format!("all axes are parallel (missed by {miss:.1e} rad)"))
             }

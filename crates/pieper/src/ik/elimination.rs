@@ -1,4 +1,5 @@
-//! Six joints, up to two of them sliding, that no closed form takes: the elimination of [`general`](super::general) as a row.
+//! Six joints, up to two of them sliding, that no closed form takes: the solver of [`general`](super::general) as two rows, one
+//! for the arms for which it has an equation without elimination.
 
 use std::sync::Arc;
 
@@ -23,12 +24,30 @@ pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn 
     if class != Class::General || !arm.is_independent() {
         return None;
     }
+    Some(Arc::new(Elimination(general(arm)?)))
+}
+
+/// Prepares an arm with an offset wrist, unless it is so special that the equation has double roots only.
+pub(super) fn prepare_offset_wrist(
+    arm: &Arm,
+    _: &Structure,
+    class: Class,
+) -> Option<Arc<dyn Prepared>> {
+    let Class::OffsetWrist { .. } = class else {
+        return None;
+    };
+    let general = general(arm)?;
+    general
+        .has_equation()
+        .then(|| -> Arc<dyn Prepared> { Arc::new(Elimination(general)) })
+}
+
+fn general(arm: &Arm) -> Option<General> {
     let links = arm.links().try_into().ok()?;
     let turns: [bool; 6] = arm.turns().try_into().ok()?;
     let slides = std::array::from_fn(|joint| (!turns[joint]).then(|| travel(arm, joint)));
     // An arm that is singular everywhere is refused there; the numeric row then takes it.
-    let general = General::prepare_with_slides(links, &slides).ok()?;
-    Some(Arc::new(Elimination(general)))
+    General::prepare_with_slides(links, &slides).ok()
 }
 
 /// By how much a sliding joint moves: its range, if that is no more than the arm is long.

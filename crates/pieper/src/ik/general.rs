@@ -10,7 +10,8 @@
 //! measures its own noise, by the harmonics that the polynomial should not have, and says whether roots may have drowned
 //! in it; then, and where eliminations differ, the resultant is computed with twice the digits (`number`). Roots that share
 //! the kept angle, as mirrored ones of symmetric arms do, are separated where the resultant's matrix has rank 1
-//! (`resultant`). Which eliminations are used, and in which order, is decided per arm by solving test poses (`trial`).
+//! (`resultant`). Arms with an offset wrist have such a polynomial in closed form, exact and free of perturbation, which is
+//! tried first (`offset`). Which eliminations are used, and in which order, is decided per arm by solving test poses (`trial`).
 //!
 //! Sources: M. Raghavan, B. Roth, J. Mech. Design 115, 1993 (the equations and the 12 x 12 resultant); D. Manocha,
 //! J. Canny, IEEE Trans. Robotics and Automation 10(5), 1994 (numeric elimination). The reduction to 3 x 3, the root
@@ -174,6 +175,11 @@ impl General {
             least: chosen.least,
             offset: chosen.offset,
         })
+    }
+
+    /// Whether the arm has an offset wrist, with an equation in one angle that needs no elimination.
+    pub fn has_equation(&self) -> bool {
+        self.offset.is_some()
     }
 
     /// Finds all joint angles that put the last link at `target`. Allocates nothing.

@@ -69,6 +69,11 @@ pub const ROWS: &[Row] = &[
         prepare: parallel::prepare,
     },
     Row {
+        name: "offset-wrist",
+        summary: "axes 2 and 3 parallel, axis 5 meets a neighbour: an equation of degree 8 in one angle, then closed form",
+        prepare: elimination::prepare_offset_wrist,
+    },
+    Row {
         name: swivel::NAME,
         summary: "seven axes, spherical shoulder and wrist: eight families over the swivel of the elbow",
         prepare: swivel::prepare,

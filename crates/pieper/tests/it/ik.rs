@@ -6,6 +6,7 @@ mod fewer;
 mod goals;
 mod hair;
 mod methods;
+mod offset_wrists;
 mod random_arms;
 mod redundant;
 mod search;

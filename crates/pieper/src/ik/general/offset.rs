@@ -54,9 +54,6 @@ pub(super) struct Offset {
     symmetric: bool,
 }
 
-/// How far axes may miss parallel or meeting, relative to the arm: rounding of its description.
-const EXACT: f64 = 1e-13;
-
 /// Targets on which the symmetry is tested.
 const TRIALS: usize = 8;
 const SEED: u64 = 0x6f66_6673;
@@ -69,7 +66,8 @@ impl Offset {
     }
 
     fn one_way(links: &[Pose; 5], reversed: bool) -> Option<Self> {
-        let normal = |index: usize| Normal::within(&links[index], super::TOTAL, EXACT);
+        let normal =
+            |index: usize| Normal::within(&links[index], super::TOTAL, crate::ik::TOLERANCES.exact);
         let [shoulder, upper, forearm, before, behind] = std::array::from_fn(normal);
         // A fourth axis parallel to the second and third makes every root of the equation a double one.
         let three = upper.is_parallel() && !upper.meets() && !forearm.is_parallel();

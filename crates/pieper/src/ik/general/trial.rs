@@ -127,12 +127,7 @@ impl Trial<'_> {
     /// The equation of an offset wrist, if it finds what all eliminations together found: of arms that are more special
     /// yet, it may have double roots only.
     #[inline(always)]
-    fn offset<S: Simd>(
-        &self,
-        simd: S,
-        targets: &[Target],
-        pools: &[Pool],
-    ) -> Option<Box<Offset>> {
+    fn offset<S: Simd>(&self, simd: S, targets: &[Target], pools: &[Pool]) -> Option<Box<Offset>> {
         if self.arm.slides.contains(&true) {
             return None;
         }

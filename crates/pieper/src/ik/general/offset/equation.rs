@@ -167,10 +167,7 @@ impl Equation {
                 odd: py,
             },
         ];
-        let b = [
-            along.combined(mx, up, my),
-            along.combined(my, up, -mx),
-        ];
+        let b = [along.combined(mx, up, my), along.combined(my, up, -mx)];
         let lengths = x.constant(plane.a1 * plane.a1 - plane.a2 * plane.a2);
         let squares = px.mul_add(px, py.mul_add(py, v.mul_add(v, root + lengths)));
         let m = Both {
@@ -180,15 +177,23 @@ impl Equation {
         let real = m.times(b[0], root).minus(k.times(a[0], root));
         let imaginary = m.times(b[1], root).minus(k.times(a[1], root));
         let turned = a[0].times(b[1], root).minus(a[1].times(b[0], root));
-        let squares = real.times(real, root).plus(imaginary.times(imaginary, root));
+        let squares = real
+            .times(real, root)
+            .plus(imaginary.times(imaginary, root));
         Values {
             equation: squares.minus(turned.times(turned, root)),
             real,
             imaginary,
             turned,
             lines: [
-                Line { normal: a, right: m },
-                Line { normal: b, right: k },
+                Line {
+                    normal: a,
+                    right: m,
+                },
+                Line {
+                    normal: b,
+                    right: k,
+                },
             ],
             root,
             square,
@@ -273,24 +278,14 @@ impl<S: Simd> Line<S> {
     /// Both E of length 1 on it; the nearest one if it passes by.
     #[inline(always)]
     fn turns(&self, x: Lane<S>) -> [Turn<S>; 2] {
-        let (a, b, m) = (
-            self.normal[0].at(x),
-            self.normal[1].at(x),
-            self.right.at(x),
-        );
+        let (a, b, m) = (self.normal[0].at(x), self.normal[1].at(x), self.right.at(x));
         let zero = x.constant(0.0);
         let square = m.subtract_product(m, a.mul_add(a, b * b));
         let half = square.max(zero).sqrt();
         // E = (a - i b) (m +- i half), up to its length.
         [
-            Turn::along(
-                a.mul_add(m, b * half),
-                a.mul_add(half, -(b * m)),
-            ),
-            Turn::along(
-                a.mul_add(m, -(b * half)),
-                -a.mul_add(half, b * m),
-            ),
+            Turn::along(a.mul_add(m, b * half), a.mul_add(half, -(b * m))),
+            Turn::along(a.mul_add(m, -(b * half)), -a.mul_add(half, b * m)),
         ]
     }
 }

@@ -13,6 +13,9 @@ use super::tolerances::TOLERANCES;
 /// Most candidates: 16 roots, or fewer with near-misses, two extra each.
 pub(super) const CANDIDATES: usize = 32;
 
+/// Radians between the ends of pieces that are neighbours.
+const ADJACENT: f64 = 1e-6;
+
 /// What a polynomial is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Origin {
@@ -38,7 +41,13 @@ pub(super) struct Candidates {
     pub(super) sign: [f64; CANDIDATES],
     /// Where to start.
     pub(super) start: [f64; CANDIDATES],
+    /// Of the true equation: where it drowns, first and last angle.
+    pub(super) windows: [(f64, f64); WINDOWS],
+    pub(super) window_count: usize,
 }
+
+/// Most windows; more of them are no longer told apart.
+pub(super) const WINDOWS: usize = 8;
 
 impl Candidates {
     pub(super) fn new() -> Self {
@@ -51,6 +60,21 @@ impl Candidates {
             high: [0.0; CANDIDATES],
             sign: [1.0; CANDIDATES],
             start: [0.0; CANDIDATES],
+            windows: [(0.0, 0.0); WINDOWS],
+            window_count: 0,
+        }
+    }
+
+    /// Adds a piece in which the equation drowns to the window that ends where it begins, or as a new one.
+    fn push_window(&mut self, (low, high): (f64, f64)) {
+        self.drowned = true;
+        match self.windows[..self.window_count].last_mut() {
+            Some(last) if low - last.1 < ADJACENT => last.1 = high,
+            _ if self.window_count < WINDOWS => {
+                self.windows[self.window_count] = (low, high);
+                self.window_count += 1;
+            }
+            _ => self.unsure = true,
         }
     }
 
@@ -167,13 +191,12 @@ pub(super) fn isolate<S: Simd>(
         &mut signs,
     );
     for (arc, (&changes, &vague)) in signs.changes.iter().zip(&signs.vague).enumerate() {
-        if changes == 0.0 {
+        // One vague sign between two others may be noise; two may be two changes more.
+        let doubtful = vague > changes.min(1.0);
+        let settled = origin == Origin::Elimination || !doubtful;
+        if changes == 0.0 && settled {
             out.drowned |= vague > 0.0;
-            continue;
-        }
-        if changes == 1.0 {
-            // One coefficient between two others may be noise; two may be two changes more.
-            out.drowned |= origin == Origin::Equation && vague > 1.0;
+        } else if changes == 1.0 && settled {
             let ends = (coefficients[0][arc], coefficients[BERNSTEIN - 1][arc]);
             out.push(arc, (-HALF, HALF), ends);
         } else {
@@ -208,6 +231,9 @@ struct Piece {
     list: [f64; BERNSTEIN],
 }
 
+/// Radians: pieces that are vague are halved to this, so that little of the circle is looked at again.
+const WINDOW: f64 = 0.01;
+
 /// Halvings of an arc at most: down to the least width.
 const DEPTH: usize = 12;
 
@@ -225,30 +251,33 @@ impl Arc<'_> {
             depth -= 1;
             let piece = stack[depth];
             let width = piece.high - piece.low;
-            match sign_changes(&piece.list) {
+            let changes = sign_changes(&piece.list);
+            let vague = self.is_vague(&piece, changes);
+            let last = width < TOLERANCES.least_width || depth + 2 > DEPTH;
+            match changes {
+                _ if vague && (width < WINDOW || last) => self.window(&piece, out),
+                _ if vague => piece.split(&mut stack, &mut depth),
                 0 => self.touch(&piece, &mut proposed, out),
-                1 => {
-                    out.drowned |= self.is_vague(&piece, 1);
-                    out.push(self.index, (piece.low, piece.high), piece.ends());
-                }
+                1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
                 2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
-                _ if width < TOLERANCES.least_width || depth + 2 > DEPTH => {
-                    out.push_point(self.index, 0.5 * (piece.low + piece.high));
-                }
-                _ => {
-                    let (left, right) = piece.halves();
-                    (stack[depth], stack[depth + 1]) = (right, left);
-                    depth += 2;
-                }
+                _ if last && self.origin == Origin::Equation => self.window(&piece, out),
+                _ if last => out.push_point(self.index, 0.5 * (piece.low + piece.high)),
+                _ => piece.split(&mut stack, &mut depth),
             }
         }
+    }
+
+    /// The equation itself has to be looked at.
+    fn window(&self, piece: &Piece, out: &mut Candidates) {
+        let middle = HALF * (2 * self.index + 1) as f64;
+        out.push_window((middle + piece.low, middle + piece.high));
     }
 
     /// Whether noise may have hidden some of the sign changes of a piece.
     fn is_vague(&self, piece: &Piece, changes: usize) -> bool {
         let least = TOLERANCES.drowned * self.noise;
         let vague = || piece.list.iter().filter(|x| x.abs() < least).count();
-        self.origin == Origin::Equation && vague() > changes
+        self.origin == Origin::Equation && vague() > changes.min(1)
     }
 
     /// No root, unless the polynomial is so small there that noise may hide some: then the point where it is smallest is
@@ -295,16 +324,15 @@ impl Arc<'_> {
         }
         let (at_low, at_high) = piece.ends();
         if (values[0] < 0.0) != (at_low < 0.0) {
-            out.drowned |= self.is_vague(piece, 2);
             out.push(self.index, (piece.low, at), (at_low, values[0]));
             out.push(self.index, (at, piece.high), (values[0], at_high));
             return true;
         }
-        out.drowned |= values[0].abs() < TOLERANCES.drowned * self.noise;
         if self.origin == Origin::Equation {
             // Halved until the pair leaves no more sign changes: there may be other extrema beside.
             return false;
         }
+        out.drowned |= values[0].abs() < TOLERANCES.drowned * self.noise;
         let imaginary = (2.0 * values[0] / values[2]).abs().sqrt();
         if imaginary < TOLERANCES.near_miss && !*proposed {
             *proposed = true;
@@ -340,6 +368,13 @@ impl Arc<'_> {
 impl Piece {
     fn ends(&self) -> (f64, f64) {
         (self.list[0], self.list[BERNSTEIN - 1])
+    }
+
+    /// Puts both halves on the stack.
+    fn split(&self, stack: &mut [Self; DEPTH + 1], depth: &mut usize) {
+        let (left, right) = self.halves();
+        (stack[*depth], stack[*depth + 1]) = (right, left);
+        *depth += 2;
     }
 
     /// De Casteljau's rule at the middle.

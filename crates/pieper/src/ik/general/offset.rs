@@ -7,26 +7,31 @@
 //! elimination has for such arms; where joint 1 may turn by half a turn in every solution, as for arms without any offset of
 //! the shoulder, degree 4 for pairs of solutions. The same arms with wrist and shoulder exchanged are solved backwards.
 //!
+//! Where the polynomial drowns in its rounding, as it does near double roots and families, the equation itself is looked at
+//! through a magnifying glass (`magnify`): near such places its own rounding vanishes with it.
+//!
 //! Worked out and measured for this project; the degrees were found by sampling (harmonics above are rounding).
 
 mod back;
 mod equation;
+mod finish;
+mod magnify;
 
 use pulp::{Simd, WithSimd};
 
 use super::isolate::{Candidates, Origin, isolate};
-use super::lanes::{Lane, Mask, Rigid, Turn, square};
-use super::newton::{Angles, Goal, newton};
+use super::lanes::{Lane, Rigid, Turn};
+use super::newton::Goal;
 use super::polynomial::{Sampled, transform};
 use super::pool::Pool;
 use super::random::Random;
-use super::refine::polish;
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
-use super::tolerances::TOLERANCES;
 use crate::ik::normal::Normal;
 use crate::spatial::{Pose, sin_cos_exact};
 use equation::{Equation, Plane};
+use finish::{Finish, Polish};
+use magnify::{Magnify, Search, Spots};
 
 /// Which neighbour axis 5 meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,36 +170,43 @@ impl Offset {
             drowned: candidates.drowned,
             noise: sampled.noise,
         };
-        let before = pool.count;
-        let finish = |thorough: bool, pool: &mut Pool| {
-            let mut sum = Finished {
-                doubtful: false,
-                expected: 0,
-            };
-            for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-                let finished = simd.vectorize(Finish {
-                    offset: self,
-                    tables,
-                    goal,
-                    target: &target,
-                    equation: &equation,
-                    sampled: &sampled,
-                    candidates: &candidates,
+        let finish = Finish {
+            offset: self,
+            goal,
+            target: &target,
+            equation: &equation,
+        };
+        let (before, mut expected) = (pool.count, 0);
+        let mut spots = Spots::new(&candidates);
+        for register in 0..candidates.count.div_ceil(S::F64_LANES) {
+            let finished = simd.vectorize(Polish {
+                finish: &finish,
+                tables,
+                sampled: &sampled,
+                candidates: &candidates,
+                register,
+                pool,
+                spots: &mut spots,
+            });
+            doubt.drowned |= finished.doubtful;
+            expected += finished.expected;
+        }
+        // Two roots that lead to the same solution are one root found twice, and another lost.
+        doubt.drowned |= pool.count != before + expected;
+        if doubt.drowned {
+            simd.vectorize(Magnify {
+                equation: &equation,
+                symmetric: self.symmetric,
+                spots: &mut spots,
+            });
+            for register in 0..spots.count.div_ceil(S::F64_LANES) {
+                simd.vectorize(Search {
+                    finish: &finish,
+                    spots: &spots,
                     register,
-                    thorough,
                     pool,
                 });
-                sum.doubtful |= finished.doubtful;
-                sum.expected += finished.expected;
             }
-            sum
-        };
-        let finished = finish(false, pool);
-        doubt.drowned |= finished.doubtful;
-        // Two roots that lead to the same solution are one root found twice, and another lost.
-        doubt.drowned |= pool.count != before + finished.expected;
-        if doubt.drowned || doubt.near_miss {
-            finish(true, pool);
         }
         doubt
     }
@@ -238,142 +250,5 @@ impl WithSimd for Sample<'_> {
     }
 }
 
-/// From candidates to solutions, one register of them.
-struct Finish<'a, 'b> {
-    offset: &'a Offset,
-    tables: &'a Tables,
-    goal: &'a Goal<'b>,
-    target: &'a Rigid,
-    equation: &'a Equation,
-    sampled: &'a Sampled,
-    candidates: &'a Candidates,
-    register: usize,
-    /// Whether to look for roots beside the simple ones.
-    thorough: bool,
-    pool: &'a mut Pool,
-}
-
 /// The noise at least: rounding of the transform, which may by chance leave no trace in the harmonics above.
 const NOISE: f64 = 2.0 * f64::EPSILON;
-
-/// Radians; see [`polish`]: roots this close are still told apart.
-const POLISHED: f64 = 1e-8;
-
-/// Newton steps on the equation itself, with the polynomial's slope.
-const DIRECT: usize = 1;
-
-/// What became of the candidates of one register.
-struct Finished {
-    /// Whether solutions may have been missed.
-    doubtful: bool,
-    /// How many solutions there should be.
-    expected: usize,
-}
-
-impl WithSimd for Finish<'_, '_> {
-    type Output = Finished;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(mut self, simd: S) -> Finished {
-        let polished = polish(
-            simd,
-            self.tables,
-            &self.sampled.polynomial,
-            self.candidates,
-            self.register,
-            POLISHED,
-        );
-        let zero = Lane::splat(simd, 0.0);
-        let simple = zero.less(polished.most);
-        let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky);
-        let mut doubt = simple.and(polished.slope.abs().less(shaky)).any();
-        let symmetric = self.offset.symmetric;
-        let mut angle = polished.turn;
-        let scale = Lane::splat(simd, self.sampled.scale);
-        for _ in 0..DIRECT {
-            let value = self.equation.at(angle).value(symmetric);
-            let step = -(value * scale / polished.slope);
-            let usable = step.abs().less(polished.most);
-            angle = angle.advanced(usable.pick(step, zero));
-        }
-        let at = self.equation.at(angle);
-        // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
-        let (real, unsure) = at.is_real();
-        doubt |= simple.and(unsure).any();
-        let x = at.first(symmetric);
-        let mut good = self.finish(simd, angle, &at.branch(x, at.turn(x)));
-        if symmetric {
-            good = good.and(self.finish(simd, angle, &at.branch(-x, at.turn(-x))));
-        }
-        if self.thorough {
-            self.search(simd, angle, &at);
-        }
-        let due = simple.and(real);
-        let used = self.used::<S>();
-        Finished {
-            doubtful: doubt | due.and_not(good).any(),
-            expected: due.count(used) << u32::from(symmetric),
-        }
-    }
-}
-
-impl Finish<'_, '_> {
-    /// Around what is no simple root there may be several, of which the linear equations say nothing.
-    #[inline(always)]
-    fn search<S: Simd>(&mut self, simd: S, angle: Turn<S>, at: &equation::Values<S>) {
-        let x = at.distance();
-        for x in [x, -x] {
-            for turn in at.turns(x) {
-                self.finish(simd, angle, &at.branch(x, turn));
-            }
-        }
-    }
-
-    /// Lanes that hold a candidate of their own.
-    fn used<S: Simd>(&self) -> usize {
-        let left = self.candidates.count - self.register * S::F64_LANES;
-        left.min(S::F64_LANES)
-    }
-
-    /// From the unknown to solutions; whether there is one close to it.
-    #[inline(always)]
-    fn finish<S: Simd>(
-        &mut self,
-        simd: S,
-        angle: Turn<S>,
-        branch: &equation::Branch<S>,
-    ) -> Mask<S> {
-        let seen = back::complete(simd, self.offset, self.target, self.equation, angle, branch);
-        let mut q: Angles<S> = seen;
-        if self.offset.reversed {
-            for joint in 0..6 {
-                q[5 - joint] = seen[joint].reversed();
-            }
-        }
-        let errors = newton(simd, self.goal, &mut q);
-        let used = self.used::<S>();
-        self.pool.add(&q, errors, used, TOLERANCES.closes);
-        let kept = q[self.offset.unknown()];
-        let kept = if self.offset.reversed {
-            kept.reversed()
-        } else {
-            kept
-        };
-        let moved = square(&[kept.cos - angle.cos, kept.sin - angle.sin]);
-        let most = moved.constant(TOLERANCES.moved * TOLERANCES.moved);
-        let closes = errors.less(moved.constant(TOLERANCES.closes));
-        closes.and(moved.less(most))
-    }
-}
-
-impl Offset {
-    /// The joint whose angle is the unknown, from 0, as the caller counts.
-    fn unknown(&self) -> usize {
-        match (self.meets, self.reversed) {
-            (Meets::Fourth, false) => 5,
-            (Meets::Fourth, true) => 0,
-            (Meets::Sixth, false) => 3,
-            (Meets::Sixth, true) => 2,
-        }
-    }
-}

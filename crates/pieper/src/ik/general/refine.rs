@@ -72,7 +72,7 @@ pub(super) const POLISHED: f64 = 1e-5;
 
 /// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.
 #[inline(always)]
-fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
+pub(super) fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
     let square = offset * offset;
     let mut sin = square.mul_add(offset.constant(-1.0 / 5040.0), offset.constant(1.0 / 120.0));
     sin = square.mul_add(sin, offset.constant(-1.0 / 6.0));

@@ -126,8 +126,8 @@ pub enum Completeness {
         /// Eliminations run.
         eliminations: u8,
     },
-    /// The arm has an offset wrist, and its equation in one unknown rose well above its noise everywhere: every root was
-    /// found, and each led to a solution.
+    /// The arm has an offset wrist. Its equation in one unknown rose well above its noise everywhere, and every root led to a
+    /// solution of its own; or it was looked at closely where it did not.
     Equation,
     /// The target is farther than the links together reach: there is none.
     OutOfReach,

@@ -13,7 +13,8 @@ use super::{Completeness, General, Root, Roots};
 /// Eliminations run at least to say that there is no root: of structured arms at right-angle poses two may agree on nothing.
 pub(super) const LEAST_EMPTY: usize = 3;
 
-/// Runs eliminations in the arm's order. The evidence of completeness is that two of them found all that is there, and that
+/// An arm with an equation of its own is solved by that, unless too many places of it had to be looked at closely, or the
+/// number of roots is odd. Otherwise runs eliminations in the arm's order. The evidence of completeness is that two of them found all that is there, and that
 /// one of the two saw nothing drown in its noise.
 #[inline(always)]
 pub(super) fn run<S: Simd>(
@@ -30,15 +31,23 @@ pub(super) fn run<S: Simd>(
     let mut reports = [Report::default(); MOST + 1];
     if let Some(offset) = &general.offset {
         let doubt = offset.run(simd, &general.tables, goal, target, &mut pool);
-        let clear = !doubt.drowned && !doubt.near_miss;
-        if clear && pool.count.is_multiple_of(2) {
+        if !doubt.near_miss && pool.count.is_multiple_of(2) {
             siblings::measure_new(simd, goal, &pool, 0, &mut sigma);
-            if singular(&pool, &sigma) == 0 && siblings::paired(&pool, &sigma) {
+            let plain = !doubt.drowned && siblings::paired(&pool, &sigma);
+            if !plain || singular(&pool, &sigma) != 0 {
+                siblings::search(simd, goal, &mut pool, &mut sigma);
+                pool.merge(&mut sigma);
+            }
+            let singular = singular(&pool, &sigma) != 0;
+            if singular || pool.count.is_multiple_of(2) {
                 write(general, &pool, &sigma, out);
-                return Completeness::Equation;
+                return match singular {
+                    true => Completeness::Singular { eliminations: 0 },
+                    false => Completeness::Equation,
+                };
             }
         }
-        let hit = pool.hit;
+        let (hit, clear) = (pool.hit, !doubt.drowned && !doubt.near_miss);
         reports[0] = Report { hit, clear };
         run = 1;
     }

@@ -23,7 +23,7 @@ pub(super) struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    /// From the unknown and a branch to solutions, of the first so many lanes; whether there is one close to it.
+    /// From the unknown and a branch to solutions, of the first so many lanes; whether there is one close to it, to rounding.
     #[inline(always)]
     pub(super) fn solve<S: Simd>(
         &self,
@@ -50,7 +50,7 @@ impl Finish<'_> {
         };
         let moved = square(&[kept.cos - angle.cos, kept.sin - angle.sin]);
         let most = moved.constant(TOLERANCES.moved * TOLERANCES.moved);
-        let closes = errors.less(moved.constant(TOLERANCES.closes));
+        let closes = errors.less(moved.constant(TOLERANCES.closes_well));
         closes.and(moved.less(most))
     }
 }
@@ -90,6 +90,9 @@ pub(super) struct Finished {
 /// Radians; see [`polish`]: roots this close are still told apart.
 const POLISHED: f64 = 1e-8;
 
+/// Radians. Roots that noise moves by more are looked at again, with what is around them.
+const SHAKY: f64 = 1e-6;
+
 impl WithSimd for Polish<'_> {
     type Output = Finished;
 
@@ -113,7 +116,7 @@ impl WithSimd for Polish<'_> {
         );
         let zero = Lane::splat(simd, 0.0);
         let symmetric = finish.offset.symmetric;
-        let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky);
+        let shaky = Lane::splat(simd, self.sampled.noise / SHAKY);
         let flat = polished.slope.abs().less(shaky);
         // A step on the equation itself, with the polynomial's slope.
         let value = finish.equation.at(polished.turn).value(symmetric);
@@ -124,13 +127,13 @@ impl WithSimd for Polish<'_> {
         // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
         let (real, unsure) = at.is_real();
         let used = (candidates.count - register * S::F64_LANES).min(S::F64_LANES);
-        spots.add(angle, used);
         let x = at.first(symmetric);
         let mut good = finish.solve(simd, angle, &at.branch(x, at.turn(x)), used, pool);
         if symmetric {
             let branch = at.branch(-x, at.turn(-x));
             good = good.and(finish.solve(simd, angle, &branch, used, pool));
         }
+        spots.add(angle, flat.or(real.and_not(good)), used);
         Finished {
             doubtful: flat.or(unsure).any() | real.and_not(good).any(),
             expected: real.count(used) << u32::from(symmetric),

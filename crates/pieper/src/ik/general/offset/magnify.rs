@@ -1,12 +1,14 @@
 //! The equation through a magnifying glass: where its polynomial drowns in rounding, it is sampled itself, closer and closer
 //! around sign changes and around the smallest values.
 
+use std::f64::consts::TAU;
+
 use pulp::{Simd, WithSimd};
 
 use super::equation::Equation;
 use super::finish::Finish;
 use crate::ik::general::isolate::{Candidates, WINDOWS};
-use crate::ik::general::lanes::{Lane, Turn};
+use crate::ik::general::lanes::{Lane, Mask, Turn};
 use crate::ik::general::pool::Pool;
 use crate::ik::general::refine::local;
 
@@ -34,15 +36,34 @@ impl Spots {
         }
     }
 
-    /// Adds the angles of the first lanes.
+    /// Adds the angles of the first lanes, some of them with what is around them.
     #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, angle: Turn<S>, used: usize) {
-        let (mut cos, mut sin) = ([0.0; 8], [0.0; 8]);
+    pub(super) fn add<S: Simd>(&mut self, angle: Turn<S>, around: Mask<S>, used: usize) {
+        let one = angle.cos.constant(1.0);
+        let (mut cos, mut sin, mut wide) = ([0.0; 8], [0.0; 8], [0.0; 8]);
         angle.cos.store(&mut cos, 0);
         angle.sin.store(&mut sin, 0);
-        for (&cos, &sin) in cos.iter().zip(&sin).take(used.min(SPOTS - self.count)) {
-            (self.cos[self.count], self.sin[self.count]) = (cos, sin);
+        around.pick(one, one - one).store(&mut wide, 0);
+        for lane in 0..used.min(SPOTS - self.count) {
+            (self.cos[self.count], self.sin[self.count]) = (cos[lane], sin[lane]);
             self.count += 1;
+            if wide[lane] > 0.0 {
+                self.look_around(sin[lane].atan2(cos[lane]));
+            }
+        }
+    }
+
+    /// Adds a window around an angle that is in none.
+    #[cold]
+    fn look_around(&mut self, angle: f64) {
+        let windows = &self.windows[..self.window_count];
+        let inside = |&(low, high): &(f64, f64)| {
+            let turns = ((angle - low) / TAU).floor();
+            angle - turns * TAU < high
+        };
+        if self.window_count < WINDOWS && !windows.iter().any(inside) {
+            self.windows[self.window_count] = (angle - AROUND, angle + AROUND);
+            self.window_count += 1;
         }
     }
 
@@ -69,6 +90,8 @@ pub(super) struct Magnify<'a> {
     pub(super) spots: &'a mut Spots,
 }
 
+/// Radians to both sides of a root whose polynomial is flat.
+const AROUND: f64 = 1e-3;
 /// Samples of one look.
 const SAMPLES: usize = 32;
 /// Looks at one window, at most.
@@ -138,7 +161,8 @@ fn pieces_of(values: &[f64; SAMPLES], out: &mut [(usize, usize); SAMPLES]) -> us
         });
         let piece = match (crosses(left), least) {
             (true, _) => (k - 1, k),
-            (_, true) => (k - 1, k + 1),
+            // Some more than the neighbours: two smallest values side by side look like one.
+            (_, true) => (k.saturating_sub(2), (k + 2).min(SAMPLES - 1)),
             _ => continue,
         };
         out[count] = piece;

@@ -78,11 +78,13 @@ fn contains(solver: &Solver, q: &[f64], found: &Solutions, tolerance: f64) -> bo
             .any(|family| near(&solver.nearest_member(family, q).unwrap()))
 }
 
-/// Arms whose solver is a closed form.
+/// Arms whose solver is a closed form: not those with an offset wrist, whose equation is solved in numbers.
 fn closed_forms() -> impl Iterator<Item = (&'static str, Solver)> {
     arms()
         .map(|(id, chain)| (id, Solver::new(&chain).unwrap()))
-        .filter(|(_, solver)| !["general", "numeric"].contains(&solver.choice().name))
+        .filter(|(_, solver)| {
+            !["offset-wrist", "general", "numeric"].contains(&solver.choice().name)
+        })
 }
 
 #[test]

@@ -39,11 +39,11 @@ impl Spots {
     /// Adds the angles of the first lanes, some of them with what is around them.
     #[inline(always)]
     pub(super) fn add<S: Simd>(&mut self, angle: Turn<S>, around: Mask<S>, used: usize) {
-        let one = angle.cos.constant(1.0);
+        let (one, zero) = (angle.cos.constant(1.0), angle.cos.constant(0.0));
         let (mut cos, mut sin, mut wide) = ([0.0; 8], [0.0; 8], [0.0; 8]);
         angle.cos.store(&mut cos, 0);
         angle.sin.store(&mut sin, 0);
-        around.pick(one, one - one).store(&mut wide, 0);
+        around.pick(one, zero).store(&mut wide, 0);
         for lane in 0..used.min(SPOTS - self.count) {
             (self.cos[self.count], self.sin[self.count]) = (cos[lane], sin[lane]);
             self.count += 1;

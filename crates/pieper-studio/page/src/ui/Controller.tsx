@@ -92,6 +92,8 @@ function Connected() {
   const value = controller.value;
   const gone = value.phase === 'lost';
   const arm = (): void => {
+    // What ended a moment ago is not this: the next beat must not take the new arming for the old one's end.
+    wasLive = false;
     mine.value = true;
     void send({ do: 'controller_arm' });
   };

@@ -127,12 +127,11 @@ impl Measured {
     }
 
     #[inline]
-    pub(super) fn q(&self, lane: usize, dof: usize) -> JointVector {
-        let mut q = [0.0; MAX_JOINTS];
-        for (value, values) in q.iter_mut().zip(&self.q[..dof]) {
+    pub(super) fn write(&self, lane: usize, q: &mut JointVector) {
+        // All of them, zeros as well: a fixed number is copied without a call.
+        for (value, values) in q.iter_mut().zip(&self.q) {
             *value = values[lane];
         }
-        q
     }
 }
 

@@ -156,18 +156,26 @@ impl<'a> Sink<'a> {
         let limit = TOLERANCES.rounding;
         for lane in 0..count {
             let (branch, marks) = self.pending.names[lane];
-            let q = measured.q(lane, dof);
             let plain = !marks.free && !marks.edge && self.terms.slack == 0.0 && dof <= 6;
             match &measured.misses {
                 Some([turn, shift])
                     if plain && turn[lane] <= limit && shift[lane] <= limit * self.arm.extent() =>
                 {
-                    let residual = turn[lane].max(shift[lane]);
-                    let within = measured.within[lane];
-                    let solution = self.solution(q, within, residual, (branch, marks));
-                    self.insert(&solution);
+                    let Some(slot) = self.out.list.get_mut(self.out.len) else {
+                        continue;
+                    };
+                    // Where it belongs at once: a copy of each would take a tenth of the time.
+                    measured.write(lane, &mut slot.q);
+                    slot.dof = dof as u8;
+                    slot.residual = turn[lane].max(shift[lane]);
+                    slot.branch = branch;
+                    slot.multiplicity = marks.multiplicity;
+                    slot.within_limits = measured.within[lane];
+                    self.out.len += 1;
                 }
                 _ => {
+                    let mut q = [0.0; MAX_JOINTS];
+                    measured.write(lane, &mut q);
                     self.push_verified(q, branch, marks);
                 }
             }

@@ -109,23 +109,24 @@ impl Prepared for Spherical {
     }
 
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
-        let mut links = [3, 4, 5, 6].map(|ahead| self.links[(self.first + ahead + 5) % 6]);
-        // Links K_0 .. K_3 follow joints c, d, e, f; the pose closes the loop behind joint 6.
+        // Links K_0 .. K_3 follow joints c, d, e, f; the pose closes the loop behind joint 6. By reference: copies of poses
+        // take longer than what is done with them.
+        let link = |index: usize| &self.links[(self.first + index + 8) % 6];
         let closing = (9 - self.first) % 6;
-        if let Some(link) = links.get_mut(closing) {
-            *link *= target.inverse();
-        }
+        let closed = link(closing) * target.inverse();
+        let at = |index: usize| if index == closing { &closed } else { link(index) };
+        let links = [at(0), at(1), at(2), at(3)];
+        let made;
         let place = match &self.place {
-            Some(place) => *place,
-            None => match Place::new(
-                self.turns,
-                &links[1],
-                &links[2],
-                (self.size, TOLERANCES.merely),
-            ) {
-                Some(place) => place,
-                None => return,
-            },
+            Some(place) => place,
+            None => {
+                let sizes = (self.size, TOLERANCES.merely);
+                made = match Place::new(self.turns, links[1], links[2], sizes) {
+                    Some(place) => place,
+                    None => return,
+                };
+                &made
+            }
         };
         let goal = links[0].inverse_transform_point(&self.point_c);
         let point = links[3].transform_point(&self.point_a);
@@ -139,12 +140,12 @@ impl Prepared for Spherical {
         if let Some(shortfall) = reaches.shortfall {
             sink.fail(self.part(shortfall.part), shortfall.amount);
         }
-        let rotations = links.each_ref().map(|link| *link.rotation.matrix());
-        if self.orient_all(&place, &rotations, reaches.as_slice(), sink) {
+        let rotations = links.map(|link| link.rotation.matrix());
+        if self.orient_all(place, &rotations, reaches.as_slice(), sink) {
             return;
         }
         for (index, reach) in reaches.as_slice().iter().enumerate() {
-            self.orient(&place, &rotations, reach, index, sink);
+            self.orient(place, &rotations, reach, index, sink);
         }
     }
 }
@@ -165,7 +166,7 @@ impl Spherical {
     fn orient_all(
         &self,
         place: &Place,
-        links: &[Matrix3<f64>; 4],
+        links: &[&Matrix3<f64>; 4],
         reaches: &[Reach],
         sink: &mut Sink<'_>,
     ) -> bool {
@@ -217,13 +218,13 @@ impl Spherical {
     fn orient(
         &self,
         place: &Place,
-        links: &[Matrix3<f64>; 4],
+        links: &[&Matrix3<f64>; 4],
         reach: &Reach,
         index: usize,
         sink: &mut Sink<'_>,
     ) {
-        let mut whole = links[0];
-        for ((&turn, &turns), link) in reach.turns.iter().zip(&self.turns).zip(&links[1..]) {
+        let mut whole = *links[0];
+        for ((&turn, &turns), link) in reach.turns.iter().zip(&self.turns).zip(links[1..].iter().copied()) {
             if turns {
                 turn_z(&mut whole, turn);
             }

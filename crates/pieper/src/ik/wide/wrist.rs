@@ -7,7 +7,7 @@ use crate::ik::TOLERANCES;
 
 /// The rotation to be made up for, `(links_0 Rz(t_0) links_1 Rz(t_1) links_2 Rz(t_2) links_3)^T`, and the wrist that does.
 pub(in crate::ik) struct Wrist<'a> {
-    pub(in crate::ik) links: &'a [Matrix3<f64>; 4],
+    pub(in crate::ik) links: &'a [&'a Matrix3<f64>; 4],
     pub(in crate::ik) turns: &'a [Sines; 3],
     /// Sines of the two right angles: 1 or -1.
     pub(in crate::ik) signs: [f64; 2],

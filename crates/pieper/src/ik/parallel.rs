@@ -10,6 +10,7 @@ use super::angle::{LinearRoots, Roots, forth, length, solve_linear, turn_between
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
+use super::pending::Halves;
 use super::planar::Triangle;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
@@ -72,12 +73,16 @@ impl Prepared for ThreeParallel {
         let outers = equations.outers(sink);
         let outers = &outers.list[..outers.len];
         let closed = equations.close_all(self, outers);
+        let mut there = [false; FOUR];
+        if let Some((closed, d, f)) = &closed {
+            for (there, (&plain, _)) in there.iter_mut().zip(closed.plain.iter().zip(outers)) {
+                *there = plain;
+            }
+            self.propose(outers, closed, [d, f], there, sink);
+        }
         for (index, outer) in outers.iter().enumerate() {
-            match &closed {
-                Some(closed) if closed.plain[index] => {
-                    self.propose(outer, index, closed, sink);
-                }
-                _ => equations.close(self, outer, index, sink),
+            if !there.get(index).is_some_and(|&there| there) {
+                equations.close(self, outer, index, sink);
             }
         }
     }
@@ -364,7 +369,11 @@ impl Loop {
     }
 
     /// Joint e and the triangle for all d and f at once, if they are four at most and none is near another.
-    fn close_all(&self, arm: &ThreeParallel, outers: &[Outer]) -> Option<Closed> {
+    fn close_all(
+        &self,
+        arm: &ThreeParallel,
+        outers: &[Outer],
+    ) -> Option<(Closed, Sines, Sines)> {
         let is_plain = |outer: &Outer| outer.multiplicity == 1 && !outer.edge;
         let is_usual = self.slack == 0.0 && outers.len() <= FOUR && outers.iter().all(is_plain);
         let last = outers.last().filter(|_| is_usual)?;
@@ -374,7 +383,7 @@ impl Loop {
             (d[0][lane], d[1][lane]) = outer.d;
             (f[0][lane], f[1][lane]) = outer.f;
         }
-        wide::run(&Closing {
+        let closed = wide::run(&Closing {
             rotations: &self.rotations,
             shifts: self.links.each_ref().map(|link| link.translation.vector),
             axes: [self.k0, self.k3],
@@ -382,7 +391,8 @@ impl Loop {
             d: &d,
             f: &f,
             triangle: arm.triangle.turning(),
-        })
+        })?;
+        Some((closed, d, f))
     }
 
     /// Joint e and the triangle for given d and f.
@@ -520,18 +530,47 @@ impl Cone {
 }
 
 impl ThreeParallel {
-    /// Both ways to close the triangle.
-    fn propose(&self, outer: &Outer, index: usize, closed: &Closed, sink: &mut Sink<'_>) {
-        let at = |[sines, cosines]: &Sines| (sines[index], cosines[index]);
-        for (bent, bend) in closed.bent.iter().zip([true, false]) {
-            let mut all = [(0.0, 1.0); 6];
-            let [a, b, c] = bent.each_ref().map(at);
-            let turns = [a, b, c, outer.d, at(&closed.e), outer.f];
-            for (k, turn) in turns.into_iter().enumerate() {
-                all[(self.first + k) % 6] = turn;
+    /// Both ways to close the triangle, of the branches that are there.
+    #[inline]
+    fn propose(
+        &self,
+        outers: &[Outer],
+        closed: &Closed,
+        [d, f]: [&Sines; 2],
+        there: [bool; FOUR],
+        sink: &mut Sink<'_>,
+    ) {
+        let mut names = [(Branch::NONE, Marks::PLAIN); 2 * FOUR];
+        for (index, outer) in outers.iter().enumerate() {
+            for (half, bend) in [true, false].into_iter().enumerate() {
+                names[index + FOUR * half].0 = self.branch(outer, index, bend);
             }
-            sink.push_turns(&all, self.branch(outer, index, bend), Marks::PLAIN);
         }
+        let [down, up] = &closed.bent;
+        sink.push_halves(&Halves {
+            turns: [
+                self.in_order(down, d, &closed.e, f),
+                self.in_order(up, d, &closed.e, f),
+            ],
+            there,
+            names,
+        });
+    }
+
+    /// All joints in the order of the arm.
+    #[inline(always)]
+    fn in_order<'a>(
+        &self,
+        [a, b, c]: &'a [Sines; 3],
+        d: &'a Sines,
+        e: &'a Sines,
+        f: &'a Sines,
+    ) -> [&'a Sines; 6] {
+        let mut all = [a; 6];
+        for (k, turn) in [a, b, c, d, e, f].into_iter().enumerate() {
+            all[(self.first + k) % 6] = turn;
+        }
+        all
     }
 
     fn branch(&self, outer: &Outer, index: usize, bend: bool) -> Branch {

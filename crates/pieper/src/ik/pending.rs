@@ -5,6 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::arm::{Arm, MAX_JOINTS};
 use super::sink::Marks;
 use super::solutions::{Branch, JointVector};
+use super::wide::{FOUR, Sines};
 use crate::kinematics::{
     batch::ENTRIES,
     group::{self, GROUP},
@@ -18,6 +19,15 @@ pub(super) struct Pending {
     cosines: [[f64; GROUP]; MAX_JOINTS],
     pub(super) names: [(Branch, Marks); GROUP],
     pub(super) len: usize,
+}
+
+/// Up to four branches in two ways each, as sines and cosines of six joints in lanes.
+pub(super) struct Halves<'a> {
+    pub(super) turns: [[&'a Sines; 6]; 2],
+    /// Which of the branches there are.
+    pub(super) there: [bool; FOUR],
+    /// Branch `k` by the first way at `k`, by the second at `FOUR + k`.
+    pub(super) names: [(Branch, Marks); GROUP],
 }
 
 /// The same as joint values, with what they miss the pose by.
@@ -48,6 +58,19 @@ impl Pending {
         }
         self.names[lane] = (branch, marks);
         self.len = lane + 1;
+    }
+
+    /// Puts four proposals into each half of the lanes, in place of what was there.
+    #[inline]
+    pub(super) fn fill(&mut self, halves: &Halves<'_>) {
+        for (half, turns) in halves.turns.iter().enumerate() {
+            let lanes = FOUR * half..FOUR * (half + 1);
+            for (step, [sines, cosines]) in turns.iter().enumerate() {
+                self.sines[step][lanes.clone()].copy_from_slice(sines);
+                self.cosines[step][lanes.clone()].copy_from_slice(cosines);
+            }
+        }
+        self.names = halves.names;
     }
 
     /// Joint values, and how far they miss `pose`.

@@ -3,11 +3,12 @@
 use super::arm::{Arm, residuals};
 use super::curve;
 use super::descent::{self, ROUNDING, Room, newton};
-use super::pending::{Measured, Pending};
+use super::pending::{Halves, Measured, Pending};
 use super::reason::{Part, Shortfall};
 use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
 };
+use super::wide::{FOUR, Sines};
 use super::wrist::Method;
 use super::{MAX_JOINTS, TOLERANCES};
 use crate::kinematics::group::GROUP;
@@ -144,17 +145,50 @@ impl<'a> Sink<'a> {
         }
     }
 
-    /// Verifies what is pending.
-    fn flush(&mut self) {
-        let count = std::mem::take(&mut self.pending.len);
+    /// Proposes both ways of up to four branches, of an arm of six joints: the fastest way, from lanes to lanes. In the
+    /// order of the branches, the first way first.
+    #[inline]
+    pub(super) fn push_halves(&mut self, halves: &Halves<'_>) {
+        let mut order = [0; GROUP];
+        let mut count = 0;
+        for branch in 0..FOUR {
+            if halves.there[branch] {
+                (order[count], order[count + 1]) = (branch, FOUR + branch);
+                count += 2;
+            }
+        }
         if count == 0 {
             return;
         }
+        let order = order.into_iter().take(count);
+        if self.arm.is_plain() {
+            self.flush();
+            self.pending.fill(halves);
+            return self.verify(order);
+        }
+        for lane in order {
+            let at = |[sines, cosines]: &Sines| (sines[lane % FOUR], cosines[lane % FOUR]);
+            let (branch, marks) = halves.names[lane];
+            self.push_turns(&halves.turns[lane / FOUR].map(at), branch, marks);
+        }
+    }
+
+    /// Verifies what is pending.
+    fn flush(&mut self) {
+        let count = std::mem::take(&mut self.pending.len);
+        if count > 0 {
+            self.verify(0..count);
+        }
+    }
+
+    /// Verifies these lanes of what is pending.
+    #[inline]
+    fn verify(&mut self, lanes: impl Iterator<Item = usize>) {
         let mut measured = Measured::empty();
         self.pending.measure(self.arm, self.pose, &mut measured);
         let dof = self.arm.chain().dof();
         let limit = TOLERANCES.rounding;
-        for lane in 0..count {
+        for lane in lanes {
             let (branch, marks) = self.pending.names[lane];
             let plain = !marks.free && !marks.edge && self.terms.slack == 0.0 && dof <= 6;
             match &measured.misses {

@@ -8,13 +8,14 @@ use super::TOLERANCES;
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
+use super::pending::Halves;
 use super::position::{Reach, Reaches, Three};
 use super::reason::Part;
 use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::slides;
 use super::solutions::{Branch, Elbow, Shoulder, Wrist};
-use super::wide::{self, FOUR, Oriented, Sines, Wrist as WideWrist};
+use super::wide::{self, FOUR, Oriented, Wrist as WideWrist};
 use super::wrist::{Ball, Method};
 use crate::spatial::Pose;
 
@@ -199,18 +200,23 @@ impl Spherical {
         else {
             return false;
         };
-        let at = |[sines, cosines]: &Sines, lane: usize| (sines[lane], cosines[lane]);
+        let (against, back) = (wide::opposite(&first), wide::opposite(&last));
+        let (mut there, mut names) = ([false; FOUR], [(Branch::NONE, Marks::PLAIN); 2 * FOUR]);
         for (lane, reach) in reaches.iter().enumerate() {
-            let (a, b, c) = (at(&first, lane), at(&middle, lane), at(&last, lane));
-            let turned = |(sin, cos): (f64, f64)| (-sin, -cos);
-            for (flip, ways) in [
-                (false, [a, b, c]),
-                (true, [turned(a), at(&other, lane), turned(c)]),
-            ] {
-                let branch = self.branch(place, reach, lane, flip);
-                sink.push_turns(&self.displacements(reach, &ways), branch, Marks::PLAIN);
+            there[lane] = true;
+            for flip in [false, true] {
+                names[lane + FOUR * usize::from(flip)].0 = self.branch(place, reach, lane, flip);
             }
         }
+        let [d, e, f] = &turns;
+        sink.push_halves(&Halves {
+            turns: [
+                self.in_order([&first, &middle, &last], [d, e, f]),
+                self.in_order([&against, &other, &back], [d, e, f]),
+            ],
+            there,
+            names,
+        });
         true
     }
 
@@ -253,10 +259,16 @@ impl Spherical {
 
     #[inline]
     fn displacements(&self, reach: &Reach, ball: &[(f64, f64); 3]) -> [(f64, f64); 6] {
-        let mut all = [(0.0, 1.0); 6];
+        self.in_order(*ball, reach.turns)
+    }
+
+    /// Something of the three joints that meet and of the other three, in the order of the arm.
+    #[inline(always)]
+    fn in_order<T: Copy>(&self, ball: [T; 3], others: [T; 3]) -> [T; 6] {
+        let mut all = [ball[0]; 6];
         for k in 0..3 {
             all[(self.first + k) % 6] = ball[k];
-            all[(self.first + 3 + k) % 6] = reach.turns[k];
+            all[(self.first + 3 + k) % 6] = others[k];
         }
         all
     }

@@ -14,6 +14,16 @@ pub(super) const FOUR: usize = 4;
 /// Sines and cosines of one joint in [`FOUR`] branches.
 pub(super) type Sines = [[f64; FOUR]; 2];
 
+/// Sines and cosines of the angles half a turn away.
+#[inline(always)]
+pub(super) fn opposite([sines, cosines]: &Sines) -> Sines {
+    let mut out = [[0.0; FOUR]; 2];
+    for k in 0..FOUR {
+        (out[0][k], out[1][k]) = (-sines[k], -cosines[k]);
+    }
+    out
+}
+
 /// Something to be computed for all branches.
 pub(super) trait Task {
     /// The answer.
@@ -93,6 +103,16 @@ impl Wide {
             out[k] = self.0[k].sqrt();
         }
         Self(out)
+    }
+
+    /// The root; 0 of what is negative.
+    #[inline(always)]
+    fn real_sqrt(self) -> Self {
+        let mut out = [0.0; FOUR];
+        for k in 0..FOUR {
+            out[k] = if self.0[k] > 0.0 { self.0[k] } else { 0.0 };
+        }
+        Self(out).sqrt()
     }
 
     #[inline(always)]

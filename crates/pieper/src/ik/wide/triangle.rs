@@ -127,7 +127,8 @@ impl Task for Closing<'_> {
                 && lengths[0].0[k] > 4.0 * enough
                 && lengths[1].0[k] > 4.0 * enough;
         }
-        let root = square.sqrt();
+        // A triangle that does not close is computed as a flat one: what is no number would be measured with the others.
+        let root = square.real_sqrt();
         let norm = product(root, root, cosine, cosine).sqrt().inverse();
         let (sin, cos) = (root.times(norm), cosine.times(norm));
         let elbow = [

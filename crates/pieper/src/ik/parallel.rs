@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Rotation3, Vector3};
 
 use super::TOLERANCES;
 use super::angle::{LinearRoots, Roots, forth, length, solve_linear, turn_between, unit};
@@ -64,11 +64,12 @@ pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn 
 
 impl Prepared for ThreeParallel {
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
-        let mut links = [2, 3, 4, 5].map(|ahead| self.links[(self.first + ahead) % 6]);
+        // By reference, as for the spherical joint.
+        let link = |index: usize| &self.links[(self.first + 2 + index) % 6];
         let closing = (9 - self.first) % 6;
-        if let Some(link) = links.get_mut(closing) {
-            *link *= target.inverse();
-        }
+        let closed = link(closing) * target.inverse();
+        let at = |index: usize| if index == closing { &closed } else { link(index) };
+        let links = [at(0), at(1), at(2), at(3)];
         let equations = Loop::new(links, &self.triangle, self.size, sink.slack());
         let outers = equations.outers(sink);
         let outers = &outers.list[..outers.len];
@@ -98,9 +99,8 @@ pub(super) fn turned_dot(u: &Vector3<f64>, v: &Vector3<f64>) -> Linear {
 }
 
 /// The equations of one pose.
-struct Loop {
-    links: [Pose; 4],
-    rotations: [Matrix3<f64>; 4],
+struct Loop<'a> {
+    links: [&'a Pose; 4],
     k0: Vector3<f64>,
     k3: Vector3<f64>,
     /// `K_1 z` and `K_2^T z`
@@ -141,26 +141,25 @@ impl Outers {
     }
 }
 
-impl Loop {
-    fn new(links: [Pose; 4], triangle: &Triangle, size: f64, slack: f64) -> Self {
-        let r = links.each_ref().map(|link| *link.rotation.matrix());
-        let t = links.each_ref().map(|link| link.translation.vector);
+impl<'a> Loop<'a> {
+    fn new(links: [&'a Pose; 4], triangle: &Triangle, size: f64, slack: f64) -> Self {
+        let r = links.map(|link| link.rotation.matrix());
+        let t = links.map(|link| &link.translation.vector);
         let z = Vector3::z();
         let flip = triangle.flip();
         let (k0, k3) = (r[0].transpose() * z, r[3] * z);
         let axis_e = [r[1] * z, r[2].transpose() * z];
         let rise = -flip * triangle.rise;
         // The rise counts in the arm's size: both equations are then of order one.
-        let mut of_f = scaled(&turned_dot(&(r[2].transpose() * t[2]), &k3), flip / size);
-        of_f.k += (t[0].z + flip * k3.dot(&t[3]) - rise) / size;
-        let of_d = scaled(&turned_dot(&k0, &t[1]), 1.0 / size);
+        let mut of_f = scaled(&turned_dot(&r[2].tr_mul(t[2]), &k3), flip / size);
+        of_f.k += (t[0].z + flip * k3.dot(t[3]) - rise) / size;
+        let of_d = scaled(&turned_dot(&k0, t[1]), 1.0 / size);
         let second = (
             turned_dot(&k0, &axis_e[0]),
             scaled(&turned_dot(&axis_e[1], &k3), -flip),
         );
         Self {
             links,
-            rotations: r,
             k0,
             k3,
             axis_e,
@@ -318,14 +317,14 @@ impl Loop {
     fn direction_before(&self, (sin, cos): (f64, f64)) -> Vector3<f64> {
         let k = &self.k0;
         let back = Vector3::new(cos * k.x + sin * k.y, cos * k.y - sin * k.x, k.z);
-        self.rotations[1].transpose() * back
+        self.links[1].rotation.matrix().tr_mul(&back)
     }
 
     /// The same seen from behind axis e: `+-K_2 Rz(f) K_3 z`.
     fn direction_behind(&self, (sin, cos): (f64, f64)) -> Vector3<f64> {
         let k = &self.k3;
         let on = Vector3::new(cos * k.x - sin * k.y, sin * k.x + cos * k.y, k.z);
-        self.rotations[2] * on * self.flip
+        self.links[2].rotation.matrix() * on * self.flip
     }
 
     /// No neighbouring axes meet: f from both equations, linear in its cosine and sine.
@@ -384,8 +383,7 @@ impl Loop {
             (f[0][lane], f[1][lane]) = outer.f;
         }
         let closed = wide::run(&Closing {
-            rotations: &self.rotations,
-            shifts: self.links.each_ref().map(|link| link.translation.vector),
+            links: &self.links,
             axes: [self.k0, self.k3],
             flip: self.flip,
             d: &d,
@@ -446,8 +444,8 @@ impl Loop {
 
     /// The third corner of the triangle as seen from the first axis, and the direction behind it.
     fn corner(&self, outer: &Outer, e: (f64, f64)) -> ([f64; 2], [f64; 2]) {
-        let mut whole = self.links[0];
-        for (turn, link) in [outer.d, e, outer.f].iter().zip(&self.links[1..]) {
+        let mut whole = *self.links[0];
+        for (turn, link) in [outer.d, e, outer.f].iter().zip(self.links[1..].iter().copied()) {
             let mut rotation = whole.rotation.into_inner();
             turn_z(&mut rotation, *turn);
             let shift = rotation * link.translation.vector;

@@ -1,15 +1,15 @@
 //! Up to four loops closed by a triangle at once, behind three parallel axes.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::{Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
 use crate::ik::angle::EDGE;
+use crate::spatial::Pose;
 
 /// `K_0 Z_d K_1 Z_e K_2 Z_f K_3` for given d and f: joint e follows from a direction, the other three from a triangle.
 pub(in crate::ik) struct Closing<'a> {
-    pub(in crate::ik) rotations: &'a [Matrix3<f64>; 4],
-    pub(in crate::ik) shifts: [Vector3<f64>; 4],
+    pub(in crate::ik) links: &'a [&'a Pose; 4],
     /// The direction of the three axes, seen from joint d and from behind joint f.
     pub(in crate::ik) axes: [Vector3<f64>; 2],
     /// Whether the chain turns that direction over: -1 if so.
@@ -45,7 +45,7 @@ impl Task for Closing<'_> {
         // The direction of the three axes before joint e and behind it, square to the axis of e.
         let along = product(all(before.x), cos_d, all(before.y), sin_d);
         let across = product(all(before.y), cos_d, all(-before.x), sin_d);
-        let r = self.rotations[1];
+        let r = self.links[1].rotation.matrix();
         let mut y = [all(0.0); 2];
         for (j, y) in y.iter_mut().enumerate() {
             let over = across.mul_add(all(r[(1, j)]), all(r[(2, j)] * before.z));
@@ -53,7 +53,7 @@ impl Task for Closing<'_> {
         }
         let along = product(all(behind.x), cos_f, all(-behind.y), sin_f);
         let across = product(all(behind.y), cos_f, all(behind.x), sin_f);
-        let r = self.rotations[2] * self.flip;
+        let r = self.links[2].rotation.matrix() * self.flip;
         let mut m = [all(0.0); 2];
         for (i, m) in m.iter_mut().enumerate() {
             let over = across.mul_add(all(r[(i, 1)]), all(r[(i, 2)] * behind.z));
@@ -62,18 +62,19 @@ impl Task for Closing<'_> {
         let [sin_e, cos_e] = turned(m, y);
 
         // The whole motion by rows, and its place.
-        let r = self.rotations;
+        let first = self.links[0];
         let mut rows = [[all(0.0); 3]; 3];
         let mut place = [all(0.0); 3];
         for i in 0..3 {
             for j in 0..3 {
-                rows[i][j] = all(r[0][(i, j)]);
+                rows[i][j] = all(first.rotation[(i, j)]);
             }
-            place[i] = all(self.shifts[0][i]);
+            place[i] = all(first.translation.vector[i]);
         }
         let turns = [(sin_d, cos_d), (sin_e, cos_e), (sin_f, cos_f)];
         for (step, (sin, cos)) in turns.into_iter().enumerate() {
-            let (link, shift) = (&r[step + 1], &self.shifts[step + 1]);
+            let behind = self.links[step + 1];
+            let (link, shift) = (behind.rotation.matrix(), &behind.translation.vector);
             for (row, place) in rows.iter_mut().zip(&mut place) {
                 let [x, y, z] = *row;
                 let x_turned = product(x, cos, y, sin);

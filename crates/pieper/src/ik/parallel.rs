@@ -68,7 +68,13 @@ impl Prepared for ThreeParallel {
         let link = |index: usize| &self.links[(self.first + 2 + index) % 6];
         let closing = (9 - self.first) % 6;
         let closed = link(closing) * target.inverse();
-        let at = |index: usize| if index == closing { &closed } else { link(index) };
+        let at = |index: usize| {
+            if index == closing {
+                &closed
+            } else {
+                link(index)
+            }
+        };
         let links = [at(0), at(1), at(2), at(3)];
         let equations = Loop::new(links, &self.triangle, self.size, sink.slack());
         let outers = equations.outers(sink);
@@ -368,11 +374,7 @@ impl<'a> Loop<'a> {
     }
 
     /// Joint e and the triangle for all d and f at once, if they are four at most and none is near another.
-    fn close_all(
-        &self,
-        arm: &ThreeParallel,
-        outers: &[Outer],
-    ) -> Option<(Closed, Sines, Sines)> {
+    fn close_all(&self, arm: &ThreeParallel, outers: &[Outer]) -> Option<(Closed, Sines, Sines)> {
         let is_plain = |outer: &Outer| outer.multiplicity == 1 && !outer.edge;
         let is_usual = self.slack == 0.0 && outers.len() <= FOUR && outers.iter().all(is_plain);
         let last = outers.last().filter(|_| is_usual)?;
@@ -445,7 +447,10 @@ impl<'a> Loop<'a> {
     /// The third corner of the triangle as seen from the first axis, and the direction behind it.
     fn corner(&self, outer: &Outer, e: (f64, f64)) -> ([f64; 2], [f64; 2]) {
         let mut whole = *self.links[0];
-        for (turn, link) in [outer.d, e, outer.f].iter().zip(self.links[1..].iter().copied()) {
+        for (turn, link) in [outer.d, e, outer.f]
+            .iter()
+            .zip(self.links[1..].iter().copied())
+        {
             let mut rotation = whole.rotation.into_inner();
             turn_z(&mut rotation, *turn);
             let shift = rotation * link.translation.vector;

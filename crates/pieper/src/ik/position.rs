@@ -4,7 +4,7 @@ use super::angle::{Roots, back, length, solve_linear, turn_between, turned, unit
 use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
-use super::wide::{self, Folded, Folding};
+use super::wide::{self, FOUR, Folded, Folding, Sines};
 use super::{Shortfall, TOLERANCES};
 use crate::spatial::sin_cos_exact;
 
@@ -93,6 +93,39 @@ impl Reach {
             edge: false,
             free: false,
         }
+    }
+}
+
+/// Ways in lanes: bent one way and the other reaching forward, then reaching back.
+pub(super) struct Four {
+    pub(super) turns: [Sines; 3],
+    /// Which there are.
+    pub(super) there: [bool; FOUR],
+    /// As of a [`Reach`].
+    pub(super) signs: [[bool; 2]; FOUR],
+}
+
+impl Four {
+    /// Of a list in which each stands for one root, away from others; the lanes beyond hold copies of the last.
+    pub(super) fn gather(reaches: &[Reach]) -> Option<Self> {
+        let last = reaches.last()?;
+        if reaches.len() > FOUR || !reaches.iter().all(Reach::is_plain) {
+            return None;
+        }
+        let mut four = Self {
+            turns: [[[0.0; FOUR]; 2]; 3],
+            there: [false; FOUR],
+            signs: [[true; 2]; FOUR],
+        };
+        for lane in 0..FOUR {
+            let reach = reaches.get(lane).unwrap_or(last);
+            four.there[lane] = lane < reaches.len();
+            four.signs[lane] = reach.signs;
+            for (turn, (sin, cos)) in four.turns.iter_mut().zip(reach.turns) {
+                (turn[0][lane], turn[1][lane]) = (sin, cos);
+            }
+        }
+        Some(four)
     }
 }
 
@@ -200,9 +233,9 @@ impl Three {
         (self.links.alpha1.0 > 0.0) == (self.links.a2 * self.links.alpha2.1 < 0.0)
     }
 
-    /// All joint angles that bring `point` (seen behind joint 3) to `place` (seen before joint 1).
+    /// The problem as its kind is solved, and the turn by which joint 3 is counted off.
     #[inline]
-    pub(super) fn solve(&self, place: [f64; 3], point: [f64; 3], slack: f64, out: &mut Reaches) {
+    fn problem(&self, place: [f64; 3], point: [f64; 3], slack: f64) -> (Problem, (f64, f64)) {
         let place = [place[0], place[1], place[2] - self.ends[0]];
         let spun = turned([point[0], point[1]], self.end_turn);
         let point = [spun[0], spun[1], point[2] + self.ends[1]];
@@ -211,8 +244,12 @@ impl Three {
         } else {
             (place, point)
         };
-        let before = out.len;
         let radius = length([point[0], point[1]]);
+        let turn = if radius > 0.0 {
+            (point[1] / radius, point[0] / radius)
+        } else {
+            (0.0, 1.0)
+        };
         let problem = Problem {
             links: self.links,
             place,
@@ -220,16 +257,38 @@ impl Three {
             height: point[2],
             slack,
         };
+        (problem, turn)
+    }
+
+    /// The usual case in lanes, axes 2 and 3 parallel: the ways of those directions, forward and back, that are away from
+    /// singularities.
+    #[inline]
+    pub(super) fn four(&self, place: [f64; 3], point: [f64; 3], slack: f64) -> Option<Four> {
+        if self.kind != Kind::Parallel || self.reversed || slack > 0.0 {
+            return None;
+        }
+        let (problem, turn) = self.problem(place, point, slack);
+        problem.folded([self.shifts[0], self.shifts[1], turn])
+    }
+
+    /// All joint angles that bring `point` (seen behind joint 3) to `place` (seen before joint 1), but for the directions,
+    /// forward and back, that are done.
+    #[inline]
+    pub(super) fn solve(
+        &self,
+        place: [f64; 3],
+        point: [f64; 3],
+        slack: f64,
+        done: [bool; 2],
+        out: &mut Reaches,
+    ) {
+        let (problem, turn) = self.problem(place, point, slack);
+        let before = out.len;
         match self.kind {
-            Kind::Parallel => problem.parallel(out),
+            Kind::Parallel => problem.parallel(done, out),
             Kind::Meeting => problem.meeting(out),
             Kind::Skew => problem.skew(out),
         }
-        let turn = if radius > 0.0 {
-            (point[1] / radius, point[0] / radius)
-        } else {
-            (0.0, 1.0)
-        };
         for reach in &mut out.list[before..out.len] {
             reach.turns[2] = back(reach.turns[2], turn);
             if self.reversed {
@@ -250,6 +309,21 @@ struct Problem {
     radius: f64,
     height: f64,
     slack: f64,
+}
+
+/// What is known of the point where axes 2 and 3 are parallel.
+struct Upright {
+    /// Along axis 2.
+    height: f64,
+    /// Up the plane of joint 2, as seen from it.
+    v: f64,
+    /// Across that plane, seen from axis 1.
+    side: f64,
+    /// From axis 1, and a length that stands for the problem's.
+    distance: f64,
+    scale: f64,
+    /// Forward or back along the plane, in that length.
+    forward: Roots,
 }
 
 /// A vector that should give an angle.
@@ -303,43 +377,14 @@ impl Problem {
         out.push(reach);
     }
 
-    /// All ways at once where axes 2 and 3 are parallel, unless reaching forward and back are nearly one.
+    /// Where axes 2 and 3 are parallel: the point before joint 2 but for its distance from axis 1.
     #[inline]
-    fn folded(&self, forward: &Roots, [v, height]: [f64; 2], scale: f64) -> Option<Folded> {
+    fn upright(&self) -> Upright {
         let Links {
-            a1,
-            alpha1: (s1, c1),
-            a2,
-            alpha2: (_, flip),
-            ..
-        } = self.links;
-        if self.slack > 0.0 || forward.edge || forward.len != 2 {
-            return None;
-        }
-        wide::run(&Folding {
-            u: [
-                forward.values[0] * scale - a1,
-                forward.values[1] * scale - a1,
-            ],
-            v,
-            a1,
-            side: c1 * v - s1 * height,
-            lengths: [a2, self.radius],
-            flip,
-            place: [self.place[0], self.place[1]],
-            scale,
-        })
-    }
-
-    /// Axes 2 and 3 parallel.
-    #[inline]
-    fn parallel(&self, out: &mut Reaches) {
-        let Links {
-            a1,
             alpha1: (s1, c1),
             d2,
-            a2,
             alpha2: (_, flip),
+            ..
         } = self.links;
         let [px, py, pz] = self.place;
         let height = d2 + flip * self.height;
@@ -348,26 +393,82 @@ impl Problem {
         let distance = length([px, py]);
         let scale = self.scale();
         let square = (distance - side.abs()) * (distance + side.abs()) / (scale * scale);
-        let forward = Roots::of(square, self.slack);
+        Upright {
+            height,
+            v,
+            side,
+            distance,
+            scale,
+            forward: Roots::of(square, self.slack),
+        }
+    }
+
+    /// All ways at once where axes 2 and 3 are parallel, unless reaching forward and back are nearly one; the angles less
+    /// `zeros`.
+    #[inline]
+    fn folded(&self, zeros: [(f64, f64); 3]) -> Option<Four> {
+        let Links {
+            a1,
+            a2,
+            alpha2: (_, flip),
+            ..
+        } = self.links;
+        let Upright {
+            v,
+            side,
+            scale,
+            forward,
+            ..
+        } = self.upright();
+        if forward.edge || forward.len != 2 {
+            return None;
+        }
+        let Folded { turns, plain } = wide::run(&Folding {
+            u: [
+                forward.values[0] * scale - a1,
+                forward.values[1] * scale - a1,
+            ],
+            v,
+            a1,
+            side,
+            lengths: [a2, self.radius],
+            flip,
+            place: [self.place[0], self.place[1]],
+            scale,
+            zeros,
+        })?;
+        Some(Four {
+            turns,
+            there: [plain[0], plain[0], plain[1], plain[1]],
+            signs: [[true, true], [true, false], [false, true], [false, false]],
+        })
+    }
+
+    /// Axes 2 and 3 parallel.
+    #[inline]
+    fn parallel(&self, done: [bool; 2], out: &mut Reaches) {
+        let Links {
+            a1,
+            a2,
+            alpha2: (_, flip),
+            ..
+        } = self.links;
+        let Upright {
+            height,
+            v,
+            side,
+            distance,
+            scale,
+            forward,
+        } = self.upright();
         out.fail(Part::WristInside, side.abs() - distance);
         let (long, short) = (a2.abs() + self.radius, (a2.abs() - self.radius).abs());
         let product = 2.0 * a2 * self.radius;
-        let folded = self.folded(&forward, [v, height], scale);
         for ((root, front), index) in forward.iter().zip([true, false, true]).zip(0..) {
-            let u = root * scale - a1;
-            if let Some(Folded { turns, .. }) =
-                folded.as_ref().filter(|f| index < 2 && f.plain[index])
-            {
-                for (sign, lane) in [(true, 2 * index), (false, 2 * index + 1)] {
-                    out.push(Reach {
-                        turns: turns
-                            .each_ref()
-                            .map(|[sines, cosines]| (sines[lane], cosines[lane])),
-                        ..Reach::simple([front, sign], 1)
-                    });
-                }
+            if index < 2 && done[index] {
                 continue;
             }
+            let u = root * scale - a1;
             let reach = length([u, v]);
             out.fail(Part::WristBeyond, reach - long);
             out.fail(Part::WristTooNear, short - reach);

@@ -9,7 +9,7 @@ use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
 use super::pending::Halves;
-use super::position::{Reach, Reaches, Three};
+use super::position::{Four, Reach, Reaches, Three};
 use super::reason::Part;
 use super::registry::Prepared;
 use super::sink::{Marks, Sink};
@@ -63,10 +63,27 @@ impl Place {
         slides::Three::new(turns, first, second, size).map(Self::Slides)
     }
 
+    /// In lanes, where that can be done.
     #[inline]
-    fn solve(&self, place: [f64; 3], point: [f64; 3], slack: f64, out: &mut Reaches) {
+    fn four(&self, place: [f64; 3], point: [f64; 3], slack: f64) -> Option<Four> {
         match self {
-            Self::Turns(three) => three.solve(place, point, slack, out),
+            Self::Turns(three) => three.four(place, point, slack),
+            Self::Slides(_) => None,
+        }
+    }
+
+    /// But for the directions, forward and back, that are done.
+    #[inline]
+    fn solve(
+        &self,
+        place: [f64; 3],
+        point: [f64; 3],
+        slack: f64,
+        done: [bool; 2],
+        out: &mut Reaches,
+    ) {
+        match self {
+            Self::Turns(three) => three.solve(place, point, slack, done, out),
             Self::Slides(three) => three.solve(place, point, slack, out),
         }
     }
@@ -115,7 +132,13 @@ impl Prepared for Spherical {
         let link = |index: usize| &self.links[(self.first + index + 8) % 6];
         let closing = (9 - self.first) % 6;
         let closed = link(closing) * target.inverse();
-        let at = |index: usize| if index == closing { &closed } else { link(index) };
+        let at = |index: usize| {
+            if index == closing {
+                &closed
+            } else {
+                link(index)
+            }
+        };
         let links = [at(0), at(1), at(2), at(3)];
         let made;
         let place = match &self.place {
@@ -131,22 +154,31 @@ impl Prepared for Spherical {
         };
         let goal = links[0].inverse_transform_point(&self.point_c);
         let point = links[3].transform_point(&self.point_a);
+        let rotations = links.map(|link| link.rotation.matrix());
+        let (goal, point, slack) = (goal.coords.into(), point.coords.into(), sink.slack());
+        let mut done = [false; 2];
+        if let Some(four) = place.four(goal, point, slack)
+            && self.orient_all(place, &rotations, &four, 0, sink)
+        {
+            done = [four.there[0], four.there[2]];
+            if done == [true; 2] {
+                return;
+            }
+        }
+        // Places are numbered where they have no names.
+        let before = 2 * done.into_iter().filter(|&done| done).count();
         let mut reaches = Reaches::new();
-        place.solve(
-            goal.coords.into(),
-            point.coords.into(),
-            sink.slack(),
-            &mut reaches,
-        );
+        place.solve(goal, point, slack, done, &mut reaches);
         if let Some(shortfall) = reaches.shortfall {
             sink.fail(self.part(shortfall.part), shortfall.amount);
         }
-        let rotations = links.map(|link| link.rotation.matrix());
-        if self.orient_all(place, &rotations, reaches.as_slice(), sink) {
+        if let Some(four) = Four::gather(reaches.as_slice())
+            && self.orient_all(place, &rotations, &four, before, sink)
+        {
             return;
         }
         for (index, reach) in reaches.as_slice().iter().enumerate() {
-            self.orient(place, &rotations, reach, index, sink);
+            self.orient(place, &rotations, reach, before + index, sink);
         }
     }
 }
@@ -168,28 +200,20 @@ impl Spherical {
         &self,
         place: &Place,
         links: &[&Matrix3<f64>; 4],
-        reaches: &[Reach],
+        four: &Four,
+        before: usize,
         sink: &mut Sink<'_>,
     ) -> bool {
         let is_usual = sink.slack() == 0.0
             && sink.method() == Method::Matrix
             && self.turns == [true; 3]
-            && (1..=FOUR).contains(&reaches.len())
-            && reaches.iter().all(Reach::is_plain);
+            && four.there.contains(&true);
         let (Some(signs), true) = (self.ball.right_signs(), is_usual) else {
             return false;
         };
-        let mut turns = [[[0.0; FOUR]; 2]; 3];
-        for lane in 0..FOUR {
-            // What has no position of its own repeats the last.
-            let reach = &reaches[lane.min(reaches.len() - 1)];
-            for (turn, (sin, cos)) in turns.iter_mut().zip(reach.turns) {
-                (turn[0][lane], turn[1][lane]) = (sin, cos);
-            }
-        }
         let task = WideWrist {
             links,
-            turns: &turns,
+            turns: &four.turns,
             signs,
             shifts: self.ball.shifts(),
         };
@@ -201,20 +225,20 @@ impl Spherical {
             return false;
         };
         let (against, back) = (wide::opposite(&first), wide::opposite(&last));
-        let (mut there, mut names) = ([false; FOUR], [(Branch::NONE, Marks::PLAIN); 2 * FOUR]);
-        for (lane, reach) in reaches.iter().enumerate() {
-            there[lane] = true;
+        let mut names = [(Branch::NONE, Marks::PLAIN); 2 * FOUR];
+        for (lane, &signs) in four.signs.iter().enumerate() {
             for flip in [false, true] {
-                names[lane + FOUR * usize::from(flip)].0 = self.branch(place, reach, lane, flip);
+                names[lane + FOUR * usize::from(flip)].0 =
+                    self.branch(place, signs, before + lane, flip);
             }
         }
-        let [d, e, f] = &turns;
+        let [d, e, f] = &four.turns;
         sink.push_halves(&Halves {
             turns: [
                 self.in_order([&first, &middle, &last], [d, e, f]),
                 self.in_order([&against, &other, &back], [d, e, f]),
             ],
-            there,
+            there: four.there,
             names,
         });
         true
@@ -230,7 +254,12 @@ impl Spherical {
         sink: &mut Sink<'_>,
     ) {
         let mut whole = *links[0];
-        for ((&turn, &turns), link) in reach.turns.iter().zip(&self.turns).zip(links[1..].iter().copied()) {
+        for ((&turn, &turns), link) in reach
+            .turns
+            .iter()
+            .zip(&self.turns)
+            .zip(links[1..].iter().copied())
+        {
             if turns {
                 turn_z(&mut whole, turn);
             }
@@ -242,7 +271,7 @@ impl Spherical {
             sink.fail(shortfall.part, shortfall.amount);
         }
         for turned in &turns.list[..turns.len] {
-            let branch = self.branch(place, reach, index, turned.flip);
+            let branch = self.branch(place, reach.signs, index, turned.flip);
             let marks = Marks {
                 multiplicity: reach.multiplicity * turned.multiplicity,
                 edge: reach.edge || turned.edge,
@@ -274,9 +303,8 @@ impl Spherical {
     }
 
     #[inline]
-    fn branch(&self, place: &Place, reach: &Reach, index: usize, flip: bool) -> Branch {
+    fn branch(&self, place: &Place, [front, bend]: [bool; 2], index: usize, flip: bool) -> Branch {
         let wrist = Some(if flip { Wrist::Flip } else { Wrist::NoFlip });
-        let [front, bend] = reach.signs;
         match place {
             Place::Turns(three) if self.first == 3 && three.has_names() => {
                 let up = (bend == three.up_sign()) == front;

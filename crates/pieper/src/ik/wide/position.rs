@@ -1,6 +1,6 @@
 //! Up to four ways to bring a point to a place at once, by joints of which the second and third are parallel.
 
-use super::{FOUR, Sines, Task, Wide, product, turned};
+use super::{FOUR, Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
 use crate::ik::angle::EDGE;
 
@@ -22,6 +22,8 @@ pub(in crate::ik) struct Folding {
     pub(in crate::ik) place: [f64; 2],
     /// A length that stands for the problem's.
     pub(in crate::ik) scale: f64,
+    /// Sines and cosines of what the three angles are counted from.
+    pub(in crate::ik) zeros: [(f64, f64); 3],
 }
 
 /// The three joints, in the order forward and bent one way, forward and bent the other, back; and which of the two
@@ -37,8 +39,8 @@ impl Task for Folding {
     #[inline(always)]
     fn solve(&self) -> Option<Folded> {
         let all = Wide::all;
-        let [forward, back] = self.u;
-        let u = Wide([forward, forward, back, back]);
+        let [forward, behind] = self.u;
+        let u = Wide([forward, forward, behind, behind]);
         let [long_side, short_side] = self.lengths;
         let v = all(self.v);
         let reach = product(u, u, v, v).sqrt();
@@ -59,8 +61,9 @@ impl Task for Folding {
         let cosine = reach.mul_add(reach, all(-long_side * long_side - short_side * short_side));
         let cosine = cosine.times(all(1.0 / by));
         let norm = product(cosine, cosine, square, one).sqrt().inverse();
+        // An arm that does not reach is computed as a stretched one: what is no number would be measured with the others.
         let sine = square
-            .sqrt()
+            .real_sqrt()
             .times(norm)
             .times(Wide([1.0, -1.0, 1.0, -1.0]));
         let cosine = cosine.times(norm);
@@ -86,9 +89,13 @@ impl Task for Folding {
                 && bent.0[k] > least
                 && turning.0[k] > least;
         }
-        let as_sines = |[sin, cos]: [Wide; 2]| [sin.0, cos.0];
+        let [a, b, c] = self.zeros;
         Some(Folded {
-            turns: [as_sines(first), as_sines(second), [sine.0, cosine.0]],
+            turns: [
+                back(first[0], first[1], a),
+                back(second[0], second[1], b),
+                back(sine, cosine, c),
+            ],
             plain: [plain[0] && plain[1], plain[2] && plain[3]],
         })
     }

@@ -33,6 +33,7 @@ mod family;
 mod fewer;
 pub mod general;
 mod goal;
+mod kernel;
 mod limits;
 mod locked;
 mod nearest;

@@ -128,6 +128,17 @@ impl Roots {
 /// Relative squares below this come from root pairs closer than 3e-4 rad: worth a look whether they are one.
 pub(super) const EDGE: f64 = 1e-8;
 
+/// Where a root pair is closer than [`EDGE`], a closed form tells whether it is one root, as long as nothing else is as close
+/// to a singularity as this: in radians, or relative to the lengths at hand.
+pub(super) const AWAY: f64 = 1e-4;
+
+/// What the distance that decides is computed from must be determined this well, or its rounding exceeds [`MERGED`].
+pub(super) const STEADY: f64 = 0.1;
+
+/// By how much less than a reach, relative, a distance may fall short of it (or exceed it) and both ways to bend be one: half
+/// of what counts as rounding.
+pub(super) const MERGED: f64 = 0.5 * super::TOLERANCES.rounding;
+
 /// A miss of the class by `s` moves a dimensionless square by a few `s`.
 const SLACK_REACH: f64 = 16.0;
 
@@ -138,8 +149,13 @@ pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
     let middle = (b / length, a / length);
     let (excess, ratio) = (c.abs() - length, c / length);
     let square = (length - c) * (length + c) / (length * length);
-    let roots = Roots::of(square, slack);
+    let mut roots = Roots::of(square, slack);
+    let near = slack == 0.0 && square < EDGE && excess < MERGED;
+    if near && excess > -MERGED {
+        (roots.values[0], roots.len) = (0.0, 1);
+    }
     LinearRoots {
+        near,
         turns: roots.values.map(|root| forth(unit((root, ratio)), middle)),
         len: roots.len,
         edge: roots.edge,
@@ -155,6 +171,8 @@ pub(super) struct LinearRoots {
     pub(super) turns: [(f64, f64); 3],
     pub(super) len: usize,
     pub(super) edge: bool,
+    /// Close to one another, but told apart, or one for certain: unless something else is singular as well.
+    pub(super) near: bool,
     /// By how much the right-hand side exceeds what the left can be.
     pub(super) excess: f64,
     /// The amplitude of the left-hand side.

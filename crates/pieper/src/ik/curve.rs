@@ -11,6 +11,7 @@ use super::angle::wrap;
 use super::arm::{Arm, Columns, MAX_JOINTS, residuals};
 use super::dense::{LeastSquares, symmetric_eigen};
 use super::descent::newton;
+use super::kernel::stands_alone;
 use super::solutions::JointVector;
 use crate::spatial::Pose;
 
@@ -163,6 +164,9 @@ pub(super) fn advance(
 
 /// The direction of the curve of solutions through `q`, if there is one.
 pub(super) fn grows(arm: &Arm, q: &JointVector, target: &Pose) -> Option<JointVector> {
+    if stands_alone(arm, q, target) {
+        return None;
+    }
     let direction = heading(arm, q, target);
     TRIALS
         .iter()

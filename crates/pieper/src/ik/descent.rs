@@ -56,6 +56,19 @@ pub(super) fn newton(
     (best, least)
 }
 
+/// One Newton step, perpendicular to a direction of any length.
+pub(super) fn step_beside(arm: &Arm, q: &mut JointVector, target: &Pose, border: &JointVector) {
+    let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
+    let pose = arm.pose_and_columns(q, &mut columns);
+    let by = 1.0 / largest(border);
+    let mut problem = LeastSquares::new(arm.chain().dof());
+    for (i, &right) in arm.missing(&pose, target).iter().enumerate() {
+        problem.add(|j| columns[j][i], right);
+    }
+    problem.add(|j| by * border[j], 0.0);
+    advance(arm, q, &problem.solve(), LONGEST);
+}
+
 /// Takes a step, shortened so that no variable moves by more than `most` of its units.
 fn advance(arm: &Arm, q: &mut JointVector, step: &[f64; MAX_JOINTS], most: f64) {
     let longest = largest(step);

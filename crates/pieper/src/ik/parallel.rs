@@ -80,15 +80,13 @@ impl Prepared for ThreeParallel {
         let outers = equations.outers(sink);
         let outers = &outers.list[..outers.len];
         let closed = equations.close_all(self, outers);
-        let mut there = [false; FOUR];
+        let mut clear = [false; FOUR];
         if let Some((closed, d, f)) = &closed {
-            for (there, (&plain, _)) in there.iter_mut().zip(closed.plain.iter().zip(outers)) {
-                *there = plain;
-            }
-            self.propose(outers, closed, [d, f], there, sink);
+            clear = closed.clear;
+            self.propose(outers, closed, [d, f], sink);
         }
         for (index, outer) in outers.iter().enumerate() {
-            if !there.get(index).is_some_and(|&there| there) {
+            if !clear.get(index).is_some_and(|&clear| clear) {
                 equations.close(self, outer, index, sink);
             }
         }
@@ -126,6 +124,15 @@ struct Outer {
     signs: [bool; 2],
     multiplicity: u8,
     edge: bool,
+    /// See [`LinearRoots::near`].
+    near: bool,
+}
+
+impl Outer {
+    /// Whether it is told from others, and for how many it stands; unless something else is singular as well, if it is near.
+    fn is_clear(&self) -> bool {
+        self.near || self.multiplicity == 1 && !self.edge
+    }
 }
 
 /// Two times two, or three times three starts where the arm misses its class.
@@ -185,6 +192,7 @@ impl<'a> Loop<'a> {
             signs: [true; 2],
             multiplicity: 1,
             edge: false,
+            near: false,
         };
         let mut outers = Outers {
             list: [empty; MAX_OUTERS],
@@ -285,11 +293,19 @@ impl<'a> Loop<'a> {
     }
 
     fn cone_roots(&self, cone: &Cone, sink: &mut Sink<'_>) -> (Roots, (f64, f64), f64) {
-        let roots = if self.slack == 0.0 && cone.square.sqrt() < TOLERANCES.free {
+        let sine = cone.square.sqrt();
+        let roots = if self.slack == 0.0 && sine < TOLERANCES.free {
             Roots {
                 values: [0.0; 3],
                 len: 1,
                 edge: true,
+            }
+        } else if self.slack == 0.0 && cone.right {
+            // On both sides of an alignment joint e stands half a turn apart: they never merge.
+            Roots {
+                values: [sine, -sine, 0.0],
+                len: 2,
+                edge: false,
             }
         } else {
             Roots::of(cone.square, self.slack)
@@ -366,6 +382,7 @@ impl<'a> Loop<'a> {
                 signs,
                 multiplicity: count,
                 edge: true,
+                near: false,
             });
         }
         if outers.len == 0 {
@@ -375,12 +392,14 @@ impl<'a> Loop<'a> {
 
     /// Joint e and the triangle for all d and f at once, if they are four at most and none is near another.
     fn close_all(&self, arm: &ThreeParallel, outers: &[Outer]) -> Option<(Closed, Sines, Sines)> {
-        let is_plain = |outer: &Outer| outer.multiplicity == 1 && !outer.edge;
-        let is_usual = self.slack == 0.0 && outers.len() <= FOUR && outers.iter().all(is_plain);
+        let is_usual =
+            self.slack == 0.0 && outers.len() <= FOUR && outers.iter().all(Outer::is_clear);
         let last = outers.last().filter(|_| is_usual)?;
         let (mut d, mut f) = ([[0.0; FOUR]; 2], [[0.0; FOUR]; 2]);
+        let mut near = [false; FOUR];
         for lane in 0..FOUR {
             let outer = outers.get(lane).unwrap_or(last);
+            near[lane] = outer.near;
             (d[0][lane], d[1][lane]) = outer.d;
             (f[0][lane], f[1][lane]) = outer.f;
         }
@@ -390,6 +409,7 @@ impl<'a> Loop<'a> {
             flip: self.flip,
             d: &d,
             f: &f,
+            near: &near,
             triangle: arm.triangle.turning(),
         })?;
         Some((closed, d, f))
@@ -504,6 +524,7 @@ fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {
         signs: [true; 2],
         multiplicity: 1 << merged,
         edge: outer.edge || inner.edge,
+        near: outer.near && !inner.edge,
     }
 }
 
@@ -513,6 +534,8 @@ struct Cone {
     middle: (f64, f64),
     cosine: f64,
     square: f64,
+    /// Both axes at right angles to the one between them: the roots are those of a sum of squares.
+    right: bool,
 }
 
 impl Cone {
@@ -528,6 +551,7 @@ impl Cone {
             middle: (row.s / length, row.c / length),
             cosine: (w.z - row.k) / length,
             square: square / (length * length),
+            right: u.z == 0.0 && v.z == 0.0,
         })
     }
 }
@@ -535,18 +559,16 @@ impl Cone {
 impl ThreeParallel {
     /// Both ways to close the triangle, of the branches that are there.
     #[inline]
-    fn propose(
-        &self,
-        outers: &[Outer],
-        closed: &Closed,
-        [d, f]: [&Sines; 2],
-        there: [bool; FOUR],
-        sink: &mut Sink<'_>,
-    ) {
+    fn propose(&self, outers: &[Outer], closed: &Closed, [d, f]: [&Sines; 2], sink: &mut Sink<'_>) {
         let mut names = [(Branch::NONE, Marks::PLAIN); 2 * FOUR];
+        let mut there = [false; 2 * FOUR];
         for (index, outer) in outers.iter().enumerate() {
+            let ways = u8::from(!closed.there[1][index]);
             for (half, bend) in [true, false].into_iter().enumerate() {
-                names[index + FOUR * half].0 = self.branch(outer, index, bend);
+                let at = index + FOUR * half;
+                there[at] = closed.clear[index] && closed.there[half][index];
+                names[at].0 = self.branch(outer, index, bend);
+                names[at].1.multiplicity = outer.multiplicity << ways;
             }
         }
         let [down, up] = &closed.bent;

@@ -24,9 +24,8 @@ pub(super) struct Pending {
 /// Up to four branches in two ways each, as sines and cosines of six joints in lanes.
 pub(super) struct Halves<'a> {
     pub(super) turns: [[&'a Sines; 6]; 2],
-    /// Which of the branches there are.
-    pub(super) there: [bool; FOUR],
-    /// Branch `k` by the first way at `k`, by the second at `FOUR + k`.
+    /// Which there are: branch `k` by the first way at `k`, by the second at `FOUR + k`.
+    pub(super) there: [bool; GROUP],
     pub(super) names: [(Branch, Marks); GROUP],
 }
 

@@ -1,6 +1,6 @@
 //! Three joints that turn bring a point to a place: Pieper's equations (Pieper 1968).
 
-use super::angle::{Roots, back, length, solve_linear, turn_between, turned, unit};
+use super::angle::{MERGED, Roots, STEADY, back, length, solve_linear, turn_between, turned, unit};
 use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
@@ -99,8 +99,13 @@ impl Reach {
 /// Ways in lanes: bent one way and the other reaching forward, then reaching back.
 pub(super) struct Four {
     pub(super) turns: [Sines; 3],
-    /// Which there are.
+    /// Which there are, and for how many roots they stand.
     pub(super) there: [bool; FOUR],
+    pub(super) multiplicity: [u8; FOUR],
+    /// Which are certain only if nothing else is singular.
+    pub(super) near: [bool; FOUR],
+    /// Of which of the two directions, forward and back, everything is known.
+    pub(super) clear: [bool; 2],
     /// As of a [`Reach`].
     pub(super) signs: [[bool; 2]; FOUR],
 }
@@ -115,6 +120,9 @@ impl Four {
         let mut four = Self {
             turns: [[[0.0; FOUR]; 2]; 3],
             there: [false; FOUR],
+            multiplicity: [1; FOUR],
+            near: [false; FOUR],
+            clear: [true; 2],
             signs: [[true; 2]; FOUR],
         };
         for lane in 0..FOUR {
@@ -416,18 +424,28 @@ impl Problem {
         let Upright {
             v,
             side,
+            distance,
             scale,
             forward,
             ..
         } = self.upright();
-        if forward.edge || forward.len != 2 {
+        // Front and back are half a turn apart where axis 1 meets the plane of the elbow: they never merge.
+        let apart = side.abs() <= TOLERANCES.free * scale;
+        let near = forward.edge && !apart;
+        let beside = (distance - side.abs()) / scale;
+        if forward.edge && !(beside >= -MERGED) {
             return None;
         }
-        let Folded { turns, plain } = wide::run(&Folding {
-            u: [
-                forward.values[0] * scale - a1,
-                forward.values[1] * scale - a1,
-            ],
+        let merged = near && beside <= MERGED;
+        let forward = match merged {
+            true => [0.0; 2],
+            false => [forward.values[0] * scale, forward.values[1] * scale],
+        };
+        let steady = apart || forward[0] > STEADY * scale;
+        let folded = wide::run(&Folding {
+            near,
+            steady,
+            u: forward.map(|forward| forward - a1),
             v,
             a1,
             side,
@@ -437,9 +455,24 @@ impl Problem {
             scale,
             zeros,
         })?;
+        let Folded {
+            turns,
+            mut there,
+            near,
+            clear,
+        } = folded;
+        let mut multiplicity = [1; FOUR];
+        for k in 0..FOUR {
+            let other = k ^ 1;
+            multiplicity[k] = if there[other] { 1 } else { 2 } << u8::from(merged);
+            there[k] &= clear[k / 2] && !(merged && k >= 2);
+        }
         Some(Four {
             turns,
-            there: [plain[0], plain[0], plain[1], plain[1]],
+            there,
+            multiplicity,
+            near,
+            clear,
             signs: [[true, true], [true, false], [false, true], [false, false]],
         })
     }

@@ -152,9 +152,11 @@ impl<'a> Sink<'a> {
         let mut order = [0; GROUP];
         let mut count = 0;
         for branch in 0..FOUR {
-            if halves.there[branch] {
-                (order[count], order[count + 1]) = (branch, FOUR + branch);
-                count += 2;
+            for lane in [branch, FOUR + branch] {
+                if halves.there[lane] {
+                    order[count] = lane;
+                    count += 1;
+                }
             }
         }
         if count == 0 {
@@ -328,28 +330,32 @@ impl<'a> Sink<'a> {
         b: &JointVector,
         distance: f64,
     ) -> Option<(JointVector, f64)> {
+        /// A step that leaves more than this part of the error has nothing to do with a curved valley.
+        const LEFT: f64 = 0.1;
+        /// Steps from the line between two points of a valley to its floor: the error is squared with each.
+        const STEPS: usize = 2;
         let mut middle = *a;
-        let step = curve::difference(self.arm, a, b);
+        let line = curve::difference(self.arm, a, b);
         for (j, value) in middle.iter_mut().enumerate().take(self.arm.chain().dof()) {
-            *value += 0.5 * step[j] * self.arm.unit(j);
+            *value += 0.5 * line[j] * self.arm.unit(j);
         }
-        // The line between two points of a curved valley leaves its floor: Newton's method leads back to it.
-        for improve in [false, true] {
-            if improve {
-                (middle, _) = newton(self.arm, &middle, self.pose, None, f64::EPSILON);
+        let (mut least, limit) = (f64::INFINITY, TOLERANCES.rounding);
+        for _ in 0..=STEPS {
+            let mut root = middle;
+            self.arm.wrap(&mut root);
+            let (turn, shift) = residuals(&self.arm.pose(&root), self.pose);
+            if turn <= limit && shift <= limit * self.arm.extent() {
+                let between = [a, b]
+                    .iter()
+                    .all(|end| self.distance(end, &root) < 0.9 * distance);
+                return (between || distance < TOLERANCES.same).then_some((root, turn.max(shift)));
             }
-            self.arm.wrap(&mut middle);
-            let (turn, shift) = residuals(&self.arm.pose(&middle), self.pose);
-            let limit = TOLERANCES.rounding;
-            let between = [a, b]
-                .iter()
-                .all(|end| self.distance(end, &middle) < 0.9 * distance);
-            if (between || distance < TOLERANCES.same)
-                && turn <= limit
-                && shift <= limit * self.arm.extent()
-            {
-                return Some((middle, turn.max(shift)));
+            let error = turn.max(shift / self.arm.extent());
+            if error.is_nan() || error > LEFT * least {
+                return None;
             }
+            least = error;
+            descent::step_beside(self.arm, &mut middle, self.pose, &line);
         }
         None
     }
@@ -431,14 +437,10 @@ impl<'a> Sink<'a> {
     /// digits until the roots have merged, and no row sees that it is.
     #[cold]
     fn spread_merged(&mut self) {
-        /// Where no direction changes the pose more slowly than this, roots have merged in number only.
-        const SINGULAR: f64 = 1e-5;
         let mut index = 0;
         while index < self.out.len {
             let solution = self.out.list[index];
-            let singular =
-                || solution.multiplicity > 1 && curve::tangent(self.arm, &solution.q).1 < SINGULAR;
-            if singular() && self.add_family(&solution) {
+            if solution.multiplicity > 1 && self.add_family(&solution) {
                 self.out.list.copy_within(index + 1..self.out.len, index);
                 self.out.len -= 1;
             } else {

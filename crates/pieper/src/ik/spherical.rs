@@ -160,7 +160,7 @@ impl Prepared for Spherical {
         if let Some(four) = place.four(goal, point, slack)
             && self.orient_all(place, &rotations, &four, 0, sink)
         {
-            done = [four.there[0], four.there[2]];
+            done = four.clear;
             if done == [true; 2] {
                 return;
             }
@@ -214,6 +214,7 @@ impl Spherical {
         let task = WideWrist {
             links,
             turns: &four.turns,
+            near: &four.near,
             signs,
             shifts: self.ball.shifts(),
         };
@@ -226,10 +227,13 @@ impl Spherical {
         };
         let (against, back) = (wide::opposite(&first), wide::opposite(&last));
         let mut names = [(Branch::NONE, Marks::PLAIN); 2 * FOUR];
+        let mut there = [false; 2 * FOUR];
         for (lane, &signs) in four.signs.iter().enumerate() {
             for flip in [false, true] {
-                names[lane + FOUR * usize::from(flip)].0 =
-                    self.branch(place, signs, before + lane, flip);
+                let at = lane + FOUR * usize::from(flip);
+                there[at] = four.there[lane];
+                names[at].0 = self.branch(place, signs, before + lane, flip);
+                names[at].1.multiplicity = four.multiplicity[lane];
             }
         }
         let [d, e, f] = &four.turns;
@@ -238,7 +242,7 @@ impl Spherical {
                 self.in_order([&first, &middle, &last], [d, e, f]),
                 self.in_order([&against, &other, &back], [d, e, f]),
             ],
-            there: four.there,
+            there,
             names,
         });
         true

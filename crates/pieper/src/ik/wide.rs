@@ -8,6 +8,8 @@ pub(super) use position::{Folded, Folding};
 pub(super) use triangle::{Closed, Closing, Turning};
 pub(super) use wrist::{Oriented, Wrist};
 
+use super::angle::EDGE;
+
 /// Branches at once: what is left of a closed form behind its first choices has four at most, away from singularities.
 pub(super) const FOUR: usize = 4;
 
@@ -122,6 +124,39 @@ impl Wide {
             out[k] = 1.0 / self.0[k];
         }
         Self(out)
+    }
+}
+
+/// Whether there are two ways to bend a triangle of which the square of the bend's sine and the distances from being
+/// stretched and folded are given, one by one for each branch.
+struct Bends {
+    /// The square, 0 where both ways are one.
+    square: Wide,
+    /// Whether there is a way, and another one.
+    there: [[bool; FOUR]; 2],
+    /// Whether they are so close that this is certain only if nothing else is singular.
+    near: [bool; FOUR],
+}
+
+impl Bends {
+    /// Distances of up to `merged` are none.
+    #[inline(always)]
+    fn new(square: Wide, beyond: Wide, within: Wide, merged: f64) -> Self {
+        let mut out = Self {
+            square,
+            there: [[false; FOUR]; 2],
+            near: [false; FOUR],
+        };
+        for k in 0..FOUR {
+            // What is not a number fails every comparison.
+            let [beyond, within] = [beyond.0[k], within.0[k]];
+            let gap = if beyond < within { beyond } else { within };
+            out.near[k] = square.0[k] <= EDGE;
+            out.there[0][k] = square.0[k] > EDGE || gap >= -merged;
+            out.there[1][k] = square.0[k] > EDGE || gap > merged;
+            out.square.0[k] = if out.there[1][k] { square.0[k] } else { 0.0 };
+        }
+        out
     }
 }
 

@@ -1,8 +1,8 @@
 //! Up to four ways to bring a point to a place at once, by joints of which the second and third are parallel.
 
-use super::{FOUR, Sines, Task, Wide, back, product, turned};
+use super::{Bends, FOUR, Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
-use crate::ik::angle::EDGE;
+use crate::ik::angle::{AWAY, MERGED};
 
 /// Pieper's equations where axes 2 and 3 are parallel, once it is known how far the point is from axis 2: reaching forward
 /// or back, with the elbow bent either way.
@@ -24,13 +24,21 @@ pub(in crate::ik) struct Folding {
     pub(in crate::ik) scale: f64,
     /// Sines and cosines of what the three angles are counted from.
     pub(in crate::ik) zeros: [(f64, f64); 3],
+    /// Whether reaching forward and back are so close that nothing else may be singular.
+    pub(in crate::ik) near: bool,
+    /// Whether the distances are known to rounding.
+    pub(in crate::ik) steady: bool,
 }
 
-/// The three joints, in the order forward and bent one way, forward and bent the other, back; and which of the two
-/// directions are away from singularities.
+/// The three joints, in the order forward and bent one way, forward and bent the other, back.
 pub(in crate::ik) struct Folded {
     pub(in crate::ik) turns: [Sines; 3],
-    pub(in crate::ik) plain: [bool; 2],
+    /// Which there are.
+    pub(in crate::ik) there: [bool; FOUR],
+    /// Which are certain only if the wrist is not singular as well.
+    pub(in crate::ik) near: [bool; FOUR],
+    /// Of which of the two directions everything is known.
+    pub(in crate::ik) clear: [bool; 2],
 }
 
 impl Task for Folding {
@@ -50,14 +58,15 @@ impl Task for Folding {
         );
         // Sine of the elbow without cancellation: Heron's formula.
         let one = all(1.0);
-        let beyond = reach
-            .mul_add(all(-1.0), all(long))
-            .times(reach.mul_add(one, all(long)));
-        let within = reach
-            .mul_add(one, all(-short))
-            .times(reach.mul_add(one, all(short)));
+        let beyond = reach.mul_add(all(-1.0), all(long));
+        let within = reach.mul_add(one, all(-short));
+        let area = beyond
+            .times(reach.mul_add(one, all(long)))
+            .times(within.times(reach.mul_add(one, all(short))));
         let by = 2.0 * long_side * short_side;
-        let square = beyond.times(within).times(all(1.0 / (by * by)));
+        let square = area.times(all(1.0 / (by * by)));
+        let bends = Bends::new(square, beyond, within, MERGED * self.scale);
+        let square = bends.square;
         let cosine = reach.mul_add(reach, all(-long_side * long_side - short_side * short_side));
         let cosine = cosine.times(all(1.0 / by));
         let norm = product(cosine, cosine, square, one).sqrt().inverse();
@@ -80,11 +89,19 @@ impl Task for Folding {
             product(elbow[0], elbow[0], elbow[1], elbow[1]),
             product(around[0], around[0], around[1], around[1]),
         );
-        let far = self.place[0] * self.place[0] + self.place[1] * self.place[1] > least;
-        let mut plain = [far; FOUR];
-        for (k, plain) in plain.iter_mut().enumerate() {
-            // Below the edge both ways to bend nearly merge: to be looked at one by one. What is not a number fails, too.
-            *plain &= square.0[k] > EDGE
+        let far = self.place[0] * self.place[0] + self.place[1] * self.place[1];
+        let away = AWAY * AWAY * self.scale * self.scale;
+        let (mut there, mut near) = ([false; FOUR], [false; FOUR]);
+        let mut clear = [true; 2];
+        for k in 0..FOUR {
+            near[k] = bends.near[k] || self.near;
+            there[k] = bends.there[k % 2][k];
+            let least = if near[k] { away } else { least };
+            // What is not a number fails.
+            clear[k / 2] &= bends.there[0][k]
+                && (self.steady || !bends.near[k])
+                && !(self.near && bends.near[k])
+                && far > least
                 && reach.0[k] * reach.0[k] > least
                 && bent.0[k] > least
                 && turning.0[k] > least;
@@ -96,7 +113,9 @@ impl Task for Folding {
                 back(second[0], second[1], b),
                 back(sine, cosine, c),
             ],
-            plain: [plain[0] && plain[1], plain[2] && plain[3]],
+            there,
+            near,
+            clear,
         })
     }
 }

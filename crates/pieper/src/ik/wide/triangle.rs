@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::{Sines, Task, Wide, back, product, turned};
+use super::{Bends, FOUR, Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
-use crate::ik::angle::EDGE;
+use crate::ik::angle::{AWAY, MERGED, STEADY};
 use crate::spatial::Pose;
 
 /// `K_0 Z_d K_1 Z_e K_2 Z_f K_3` for given d and f: joint e follows from a direction, the other three from a triangle.
@@ -16,6 +16,8 @@ pub(in crate::ik) struct Closing<'a> {
     pub(in crate::ik) flip: f64,
     pub(in crate::ik) d: &'a Sines,
     pub(in crate::ik) f: &'a Sines,
+    /// Where these are nearly singular already.
+    pub(in crate::ik) near: &'a [bool; FOUR],
     pub(in crate::ik) triangle: Turning<'a>,
 }
 
@@ -26,11 +28,14 @@ pub(in crate::ik) struct Turning<'a> {
     pub(in crate::ik) zeros: &'a [(f64, f64); 3],
 }
 
-/// Joint e, and the triangle's joints bent either way; which of the branches there are, away from singularities.
+/// Joint e, and the triangle's joints bent either way.
 pub(in crate::ik) struct Closed {
     pub(in crate::ik) e: Sines,
     pub(in crate::ik) bent: [[Sines; 3]; 2],
-    pub(in crate::ik) plain: [bool; super::FOUR],
+    /// Which of the two ways there are.
+    pub(in crate::ik) there: [[bool; FOUR]; 2],
+    /// Of which of the branches everything is known.
+    pub(in crate::ik) clear: [bool; FOUR],
 }
 
 impl Task for Closing<'_> {
@@ -105,31 +110,33 @@ impl Task for Closing<'_> {
         let (short, long) = ((one - two).abs(), one + two);
         // Sine of the elbow without cancellation: Heron's formula.
         let one_all = all(1.0);
-        let beyond = reach
-            .mul_add(all(-1.0), all(long))
-            .times(reach.mul_add(one_all, all(long)));
-        let within = reach
-            .mul_add(one_all, all(-short))
-            .times(reach.mul_add(one_all, all(short)));
-        let area = beyond.times(within);
+        let beyond = reach.mul_add(all(-1.0), all(long));
+        let within = reach.mul_add(one_all, all(-short));
+        let area = beyond
+            .times(reach.mul_add(one_all, all(long)))
+            .times(within.times(reach.mul_add(one_all, all(short))));
         let square = area.times(all(1.0 / (4.0 * one * one * two * two)));
         let cosine = reach.mul_add(reach, all(-one * one - two * two));
         let cosine = cosine.times(all(0.5 / (one * two)));
-        let mut plain = [false; super::FOUR];
+        let bends = Bends::new(square, beyond, within, MERGED * long);
+        let mut clear = [false; FOUR];
         let lengths = [
             product(y[0], y[0], y[1], y[1]),
             product(m[0], m[0], m[1], m[1]),
         ];
-        let enough = TOLERANCES.free * TOLERANCES.free;
-        for (k, plain) in plain.iter_mut().enumerate() {
+        for (k, clear) in clear.iter_mut().enumerate() {
+            let near = bends.near[k] || self.near[k];
+            let free = 2.0 * TOLERANCES.free;
+            let [least, shortest] = if near { [AWAY, STEADY] } else { [free, free] };
             // What is not a number fails it.
-            *plain = square.0[k] > EDGE
-                && reach.0[k] > 2.0 * TOLERANCES.free * long
-                && lengths[0].0[k] > 4.0 * enough
-                && lengths[1].0[k] > 4.0 * enough;
+            *clear = bends.there[0][k]
+                && !(self.near[k] && bends.near[k])
+                && reach.0[k] > least * long
+                && lengths[0].0[k] > shortest * shortest
+                && lengths[1].0[k] > shortest * shortest;
         }
         // A triangle that does not close is computed as a flat one: what is no number would be measured with the others.
-        let root = square.real_sqrt();
+        let root = bends.square.real_sqrt();
         let norm = product(root, root, cosine, cosine).sqrt().inverse();
         let (sin, cos) = (root.times(norm), cosine.times(norm));
         let elbow = [
@@ -148,7 +155,8 @@ impl Task for Closing<'_> {
                 bend.joints(sin, elbow),
                 bend.joints(sin.negative(), [elbow[0], elbow[1].negative()]),
             ],
-            plain,
+            there: bends.there,
+            clear,
         })
     }
 }

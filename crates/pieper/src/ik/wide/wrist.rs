@@ -2,13 +2,16 @@
 
 use nalgebra::Matrix3;
 
-use super::{Sines, Task, Wide, back, product};
+use super::{FOUR, Sines, Task, Wide, back, product};
 use crate::ik::TOLERANCES;
+use crate::ik::angle::AWAY;
 
 /// The rotation to be made up for, `(links_0 Rz(t_0) links_1 Rz(t_1) links_2 Rz(t_2) links_3)^T`, and the wrist that does.
 pub(in crate::ik) struct Wrist<'a> {
     pub(in crate::ik) links: &'a [&'a Matrix3<f64>; 4],
     pub(in crate::ik) turns: &'a [Sines; 3],
+    /// Where the position is nearly singular already.
+    pub(in crate::ik) near: &'a [bool; FOUR],
     /// Sines of the two right angles: 1 or -1.
     pub(in crate::ik) signs: [f64; 2],
     /// Sines and cosines of where the wrist's joints have their own zeros.
@@ -54,8 +57,9 @@ impl Task for Wrist<'_> {
         let sine = product(x, x, y, y).sqrt();
         // Not with `any`: all four in one comparison, and what is not a number fails it.
         let mut is_bent = true;
-        for value in sine.0 {
-            is_bent &= value > 2.0 * TOLERANCES.free;
+        for (value, &near) in sine.0.iter().zip(self.near) {
+            let least = if near { AWAY } else { 2.0 * TOLERANCES.free };
+            is_bent &= *value > least;
         }
         if !is_bent {
             return None;

@@ -433,7 +433,7 @@ impl Problem {
         let apart = side.abs() <= TOLERANCES.free * scale;
         let near = forward.edge && !apart;
         let beside = (distance - side.abs()) / scale;
-        if forward.edge && !(beside >= -MERGED) {
+        if forward.edge && (beside.is_nan() || beside < -MERGED) {
             return None;
         }
         let merged = near && beside <= MERGED;
@@ -462,9 +462,12 @@ impl Problem {
             clear,
         } = folded;
         let mut multiplicity = [1; FOUR];
+        if near.contains(&true) {
+            for k in 0..FOUR {
+                multiplicity[k] = if there[k ^ 1] { 1 } else { 2 } << u8::from(merged);
+            }
+        }
         for k in 0..FOUR {
-            let other = k ^ 1;
-            multiplicity[k] = if there[other] { 1 } else { 2 } << u8::from(merged);
             there[k] &= clear[k / 2] && !(merged && k >= 2);
         }
         Some(Four {

@@ -149,20 +149,13 @@ impl<'a> Sink<'a> {
     /// order of the branches, the first way first.
     #[inline]
     pub(super) fn push_halves(&mut self, halves: &Halves<'_>) {
-        let mut order = [0; GROUP];
-        let mut count = 0;
-        for branch in 0..FOUR {
-            for lane in [branch, FOUR + branch] {
-                if halves.there[lane] {
-                    order[count] = lane;
-                    count += 1;
-                }
-            }
-        }
-        if count == 0 {
+        let there = halves.there;
+        let order = (0..GROUP)
+            .map(|index| index / 2 + FOUR * (index % 2))
+            .filter(|&lane| there[lane]);
+        if there == [false; GROUP] {
             return;
         }
-        let order = order.into_iter().take(count);
         if self.arm.is_plain() {
             self.flush();
             self.pending.fill(halves);

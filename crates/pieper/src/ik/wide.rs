@@ -144,9 +144,16 @@ impl Bends {
     fn new(square: Wide, beyond: Wide, within: Wide, merged: f64) -> Self {
         let mut out = Self {
             square,
-            there: [[false; FOUR]; 2],
+            there: [[true; FOUR]; 2],
             near: [false; FOUR],
         };
+        let mut is_apart = true;
+        for k in 0..FOUR {
+            is_apart &= square.0[k] > EDGE;
+        }
+        if is_apart {
+            return out;
+        }
         for k in 0..FOUR {
             // What is not a number fails every comparison.
             let [beyond, within] = [beyond.0[k], within.0[k]];

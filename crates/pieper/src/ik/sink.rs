@@ -332,7 +332,11 @@ impl<'a> Sink<'a> {
         for (j, value) in middle.iter_mut().enumerate().take(self.arm.chain().dof()) {
             *value += 0.5 * line[j] * self.arm.unit(j);
         }
-        let (mut least, limit) = (f64::INFINITY, TOLERANCES.rounding);
+        let limit = match distance < TOLERANCES.same {
+            true => TOLERANCES.rounding,
+            false => TOLERANCES.one,
+        };
+        let mut least = f64::INFINITY;
         for _ in 0..=STEPS {
             let mut root = middle;
             self.arm.wrap(&mut root);

@@ -21,8 +21,11 @@ pub struct Tolerances {
     /// A square that should not be negative may be by this much and count as zero: the boundary of the reach, where
     /// rounding of the pose decides between two roots and none. Verification has the last word.
     pub boundary: f64,
-    /// Roots closer than this (rad) are looked at: they are one if the point between them is a root to rounding.
+    /// Roots closer than this (rad) are looked at: they are one if the point between them is a root as good as `one`.
     pub near: f64,
+    /// The residual of a point between two roots below which they are one: what the rounding of a target moves a pose by. Less
+    /// than `rounding`: with that, roots a few 1e-6 apart were taken for one.
+    pub one: f64,
     /// A value counts as within its limits if it is outside by less (rad or m): rounding of a value at its limit.
     pub limit: f64,
     /// Two roots closer than this (rad or relative length) are the same one, found twice.
@@ -39,6 +42,7 @@ pub const TOLERANCES: Tolerances = Tolerances {
     closes: 1e-12,
     boundary: 1e-11,
     near: 1e-4,
+    one: 1e-15,
     limit: 1e-9,
     same: 1e-9,
 };

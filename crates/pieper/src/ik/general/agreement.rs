@@ -30,16 +30,19 @@ pub(super) fn run<S: Simd>(
     let (mut agreed, mut near_miss) = (false, false);
     let mut reports = [Report::default(); MOST + 1];
     if let Some(offset) = &general.offset {
-        let doubt = offset.run(simd, &general.tables, goal, target, &mut pool);
-        if !doubt.near_miss && pool.count.is_multiple_of(2) {
+        let doubt = offset
+            .run(simd, &general.tables, goal, target, &mut pool)
+            .doubt;
+        // Of merged roots one is listed: where nothing was in doubt, an odd number is none either.
+        let is_whole = |pool: &Pool| !doubt.drowned || pool.count.is_multiple_of(2);
+        if !doubt.near_miss && is_whole(&pool) {
             siblings::measure_new(simd, goal, &pool, 0, &mut sigma);
-            let plain = !doubt.drowned && siblings::paired(&pool, &sigma);
-            if !plain || singular(&pool, &sigma) != 0 {
+            if !siblings::paired(&pool, &sigma) {
                 siblings::search(simd, goal, &mut pool, &mut sigma);
-                pool.merge(&mut sigma);
             }
+            pool.merge(&mut sigma);
             let singular = singular(&pool, &sigma) != 0;
-            if singular || pool.count.is_multiple_of(2) {
+            if singular || is_whole(&pool) {
                 write(general, &pool, &sigma, out);
                 return match singular {
                     true => Completeness::Singular { eliminations: 0 },

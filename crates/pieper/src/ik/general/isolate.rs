@@ -44,7 +44,27 @@ pub(super) struct Candidates {
     /// Of the true equation: where it drowns, first and last angle.
     pub(super) windows: [(f64, f64); WINDOWS],
     pub(super) window_count: usize,
+    /// Of the true equation: two roots each that are nearly one, or nearly real.
+    pub(super) pairs: [Pair; PAIRS],
+    pub(super) pair_count: usize,
 }
+
+/// Two roots beside the top of a parabola.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    /// Of the top.
+    pub(super) angle: f64,
+    /// The second derivative there.
+    pub(super) bend: f64,
+}
+
+/// Most pairs: there are 16 roots.
+const PAIRS: usize = 8;
+
+/// Radians. Two roots this close are told apart by the equation itself.
+const NEAR: f64 = 3e-5;
+/// Radians. The top of their parabola has to be known this well.
+const TOP: f64 = 1e-11;
 
 /// Most windows; more of them are no longer told apart.
 pub(super) const WINDOWS: usize = 8;
@@ -62,6 +82,20 @@ impl Candidates {
             start: [0.0; CANDIDATES],
             windows: [(0.0, 0.0); WINDOWS],
             window_count: 0,
+            pairs: [Pair {
+                angle: 0.0,
+                bend: 1.0,
+            }; PAIRS],
+            pair_count: 0,
+        }
+    }
+
+    fn push_pair(&mut self, pair: Pair) {
+        if self.pair_count < PAIRS {
+            self.pairs[self.pair_count] = pair;
+            self.pair_count += 1;
+        } else {
+            self.unsure = true;
         }
     }
 
@@ -321,6 +355,16 @@ impl Arc<'_> {
         }
         if at <= piece.low || at >= piece.high {
             return false;
+        }
+        let is_low = 2.0 * values[0].abs() < NEAR * NEAR * values[2].abs()
+            && self.noise < TOP * values[2].abs();
+        if self.origin == Origin::Equation && is_low {
+            let angle = HALF * (2 * self.index + 1) as f64 + at;
+            out.push_pair(Pair {
+                angle,
+                bend: values[2],
+            });
+            return true;
         }
         let (at_low, at_high) = piece.ends();
         if (values[0] < 0.0) != (at_low < 0.0) {

@@ -7,7 +7,8 @@
 //! elimination has for such arms; where joint 1 may turn by half a turn in every solution, as for arms without any offset of
 //! the shoulder, degree 4 for pairs of solutions. The same arms with wrist and shoulder exchanged are solved backwards.
 //!
-//! Where the polynomial drowns in its rounding, as it does near double roots and families, the equation itself is looked at
+//! Near double roots the polynomial is a parabola, and the equation at its top tells the two apart (`pairs`). Where the
+//! polynomial drowns in its rounding in other ways, as it does near families, the equation itself is looked at
 //! through a magnifying glass (`magnify`): near such places its own rounding vanishes with it.
 //!
 //! Worked out and measured for this project; the degrees were found by sampling (harmonics above are rounding).
@@ -16,6 +17,7 @@ mod back;
 mod equation;
 mod finish;
 mod magnify;
+mod pairs;
 
 use pulp::{Simd, WithSimd};
 
@@ -32,6 +34,7 @@ use crate::spatial::{Pose, sin_cos_exact};
 use equation::{Equation, Plane};
 use finish::{Finish, Polish};
 use magnify::{Magnify, Search, Spots};
+use pairs::Pairs;
 
 /// Which neighbour axis 5 meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +60,13 @@ pub(super) struct Offset {
     along: [f64; 2],
     /// Whether a half turn of joint 1 leads from every solution to another.
     symmetric: bool,
+}
+
+/// What the equation says of one target.
+pub(super) struct Found {
+    pub(super) doubt: Doubt,
+    /// How often two roots were nearly one.
+    pub(super) pairs: usize,
 }
 
 /// Targets on which the symmetry is tested.
@@ -155,7 +165,7 @@ impl Offset {
         goal: &Goal<'_>,
         target: &Target,
         pool: &mut Pool,
-    ) -> Doubt {
+    ) -> Found {
         let target = self.target(target);
         let equation = self.equation(&target);
         let mut candidates = Candidates::new();
@@ -193,7 +203,17 @@ impl Offset {
         }
         // Two roots that lead to the same solution are one root found twice, and another lost.
         doubt.drowned |= pool.count != before + expected;
+        for register in 0..(2 * candidates.pair_count).div_ceil(S::F64_LANES) {
+            doubt.drowned |= simd.vectorize(Pairs {
+                finish: &finish,
+                sampled: &sampled,
+                candidates: &candidates,
+                register,
+                pool,
+            });
+        }
         if doubt.drowned {
+            spots.add_pairs(&candidates);
             simd.vectorize(Magnify {
                 equation: &equation,
                 symmetric: self.symmetric,
@@ -208,7 +228,10 @@ impl Offset {
                 });
             }
         }
-        doubt
+        Found {
+            doubt,
+            pairs: candidates.pair_count,
+        }
     }
 }
 

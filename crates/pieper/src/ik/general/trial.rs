@@ -136,8 +136,8 @@ impl Trial<'_> {
         for (target, known) in targets.iter().zip(pools) {
             let mut pool = Pool::new();
             let goal = self.goal(target);
-            let doubt = offset.run(simd, self.tables, &goal, target, &mut pool);
-            if !doubt.drowned && !doubt.near_miss {
+            let found = offset.run(simd, self.tables, &goal, target, &mut pool);
+            if !found.doubt.drowned && !found.doubt.near_miss && found.pairs == 0 {
                 sure += 1;
                 wrong += usize::from(pool.count != known.count);
             }

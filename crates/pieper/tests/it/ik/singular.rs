@@ -3,8 +3,9 @@
 use super::random_arms::sigma;
 use super::{check_closes, closed_forms, contains};
 use crate::support::{difference, random_joints};
+use nalgebra::DMatrix;
 use pieper::ik::{Solutions, Solver, Status};
-use pieper::kinematics::tool_pose;
+use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::spatial::shift;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -167,4 +168,57 @@ fn wrist_centre_near_axis_1() {
 fn tool_axis(solver: &Solver) -> nalgebra::Vector3<f64> {
     let last = solver.chain().canonical().link(5);
     last.rotation.inverse() * nalgebra::Vector3::z()
+}
+
+/// Wherever the Jacobian's determinant vanishes, not only where one joint's value makes it: the root is in the set, and two
+/// roots that are nearly one are told apart as far as the pose tells them.
+#[test]
+fn roots_beside_any_singularity_are_in_the_set() {
+    let mut random = fastrand::Rng::with_seed(21);
+    let mut tried = 0;
+    for id in ["irb120", "puma560", "ur5", "jaco2", "xarm6"] {
+        let solver = solver(id);
+        for exponent in [3, 5, 7, 9, 11] {
+            for _ in 0..60 {
+                let joint = random.usize(1..5);
+                let Some(mut q) = beside(&solver, joint, &mut random) else {
+                    continue;
+                };
+                q[joint] += 10_f64.powi(-exponent);
+                let pose = tool_pose(solver.chain(), &q).unwrap();
+                let found = solver.solve(&pose).unwrap();
+                let what = format!("{id} joint {joint} at 1e-{exponent} {q:?}");
+                check_closes(&solver, &q, &found, &what);
+                let tolerance = (1e-13 / sigma(&solver, &q)).max(2e-6);
+                assert!(contains(&solver, &q, &found, tolerance), "{what}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 500, "only {tried}");
+}
+
+/// Where the determinant of the Jacobian changes its sign as a joint of a random joint vector moves.
+fn beside(solver: &Solver, joint: usize, random: &mut fastrand::Rng) -> Option<Vec<f64>> {
+    let mut jacobian = Jacobian::zeros(6);
+    let mut determinant = |q: &[f64]| {
+        pose_and_jacobian(solver.chain(), q, Reference::Base, &mut jacobian).unwrap();
+        DMatrix::from_fn(6, 6, |i, j| jacobian[(i, j)]).determinant()
+    };
+    let mut low: Vec<f64> = (0..6).map(|_| (2.0 * random.f64() - 1.0) * PI).collect();
+    let mut high = low.clone();
+    high[joint] += 3.0 * random.f64();
+    let sign = determinant(&low);
+    if sign * determinant(&high) > 0.0 {
+        return None;
+    }
+    for _ in 0..70 {
+        let mut middle = low.clone();
+        middle[joint] = 0.5 * (low[joint] + high[joint]);
+        match determinant(&middle) * sign > 0.0 {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    Some(low)
 }

@@ -53,6 +53,14 @@ impl Spots {
         }
     }
 
+    /// Adds what is around pairs of roots.
+    #[cold]
+    pub(super) fn add_pairs(&mut self, candidates: &Candidates) {
+        for pair in &candidates.pairs[..candidates.pair_count] {
+            self.look_around(pair.angle);
+        }
+    }
+
     /// Adds a window around an angle that is in none.
     #[cold]
     fn look_around(&mut self, angle: f64) {

@@ -149,13 +149,8 @@ pub(super) fn solve_linear(a: f64, b: f64, c: f64, slack: f64) -> LinearRoots {
     let middle = (b / length, a / length);
     let (excess, ratio) = (c.abs() - length, c / length);
     let square = (length - c) * (length + c) / (length * length);
-    let mut roots = Roots::of(square, slack);
-    let near = slack == 0.0 && square < EDGE && excess < MERGED;
-    if near && excess > -MERGED {
-        (roots.values[0], roots.len) = (0.0, 1);
-    }
+    let roots = Roots::of(square, slack);
     LinearRoots {
-        near,
         turns: roots.values.map(|root| forth(unit((root, ratio)), middle)),
         len: roots.len,
         edge: roots.edge,
@@ -171,8 +166,6 @@ pub(super) struct LinearRoots {
     pub(super) turns: [(f64, f64); 3],
     pub(super) len: usize,
     pub(super) edge: bool,
-    /// Close to one another, but told apart, or one for certain: unless something else is singular as well.
-    pub(super) near: bool,
     /// By how much the right-hand side exceeds what the left can be.
     pub(super) excess: f64,
     /// The amplitude of the left-hand side.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Rotation3, Vector3};
 
 use super::TOLERANCES;
-use super::angle::{LinearRoots, Roots, forth, length, solve_linear, turn_between, unit};
+use super::angle::{LinearRoots, MERGED, Roots, forth, length, solve_linear, turn_between, unit};
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
@@ -124,7 +124,7 @@ struct Outer {
     signs: [bool; 2],
     multiplicity: u8,
     edge: bool,
-    /// See [`LinearRoots::near`].
+    /// Close to another, but told from it, or one with it for certain: unless something else is singular as well.
     near: bool,
 }
 
@@ -200,7 +200,7 @@ impl<'a> Loop<'a> {
         };
         let (d_rows, f_rows) = ([&one.0, &two.0], [&one.1, &two.1]);
         if let Some(weights) = self.weights(d_rows) {
-            let roots = self.combined(weights, f_rows, d_rows, sink);
+            let (roots, near) = self.combined(weights, f_rows, d_rows, sink);
             for (&f, first) in roots.turns[..roots.len].iter().zip([true, false, true]) {
                 let (inner, middle, cosine) = self.inner_d(f, sink);
                 for (root, second) in inner.iter().zip([true, false, true]) {
@@ -209,12 +209,12 @@ impl<'a> Loop<'a> {
                         d,
                         f,
                         signs: [first, second],
-                        ..marks(&roots, &inner)
+                        ..marks((&roots, near), &inner)
                     });
                 }
             }
         } else if let Some(weights) = self.weights(f_rows) {
-            let roots = self.combined(weights, d_rows, f_rows, sink);
+            let (roots, near) = self.combined(weights, d_rows, f_rows, sink);
             for (&d, first) in roots.turns[..roots.len].iter().zip([true, false, true]) {
                 let (inner, middle, cosine) = self.inner_f(d, sink);
                 for (root, second) in inner.iter().zip([true, false, true]) {
@@ -223,7 +223,7 @@ impl<'a> Loop<'a> {
                         d,
                         f,
                         signs: [first, second],
-                        ..marks(&roots, &inner)
+                        ..marks((&roots, near), &inner)
                     });
                 }
             }
@@ -251,22 +251,29 @@ impl<'a> Loop<'a> {
         Some([along(v), -along(u)])
     }
 
-    /// Solves the combination for the angle of `rows`; of `others` only the constants are left.
+    /// Solves the combination for the angle of `rows`; of `others` only the constants are left. Also whether the roots are near
+    /// one another, see [`Outer`].
     fn combined(
         &self,
         weights: [f64; 2],
         rows: [&Linear; 2],
         others: [&Linear; 2],
         sink: &mut Sink<'_>,
-    ) -> LinearRoots {
+    ) -> (LinearRoots, bool) {
         let sum = |part: fn(&Linear) -> f64, rows: [&Linear; 2]| {
             weights[0] * part(rows[0]) + weights[1] * part(rows[1])
         };
         let constant = sum(|row| row.k, rows) + sum(|row| row.k, others);
         let (c, s) = (sum(|row| row.c, rows), sum(|row| row.s, rows));
-        let roots = solve_linear(c, s, -constant, self.slack);
+        let mut roots = solve_linear(c, s, -constant, self.slack);
         sink.fail(Part::Inside, roots.excess * self.size);
-        roots
+        // The equations are of order one: what is as small as their rounding is none.
+        let near = self.slack == 0.0 && roots.edge && roots.excess < MERGED;
+        if near && roots.excess > -MERGED {
+            let toward = 1.0_f64.copysign(-constant);
+            (roots.turns[0], roots.len) = (unit((toward * s, toward * c)), 1);
+        }
+        (roots, near)
     }
 
     /// The angle d for a given f: (roots of its sine, where it counts from, its cosine).
@@ -516,7 +523,7 @@ impl<'a> Loop<'a> {
 /// Starts for a joint that may stand nearly anywhere.
 const ANYWHERE: usize = 16;
 
-fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {
+fn marks((outer, near): (&LinearRoots, bool), inner: &Roots) -> Outer {
     let merged = usize::from(outer.len == 1) + usize::from(inner.len == 1);
     Outer {
         d: (0.0, 1.0),
@@ -524,7 +531,7 @@ fn marks(outer: &LinearRoots, inner: &Roots) -> Outer {
         signs: [true; 2],
         multiplicity: 1 << merged,
         edge: outer.edge || inner.edge,
-        near: outer.near && !inner.edge,
+        near: near && !inner.edge,
     }
 }
 

@@ -4,6 +4,7 @@ use super::random_arms::sigma;
 use super::{check_closes, closed_forms, contains};
 use crate::support::{difference, random_joints};
 use nalgebra::DMatrix;
+use pieper::describe::Robot;
 use pieper::ik::{Solutions, Solver, Status};
 use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::spatial::shift;
@@ -221,4 +222,43 @@ fn beside(solver: &Solver, joint: usize, random: &mut fastrand::Rng) -> Option<V
         }
     }
     Some(low)
+}
+
+/// What is near depends on the arm's size: an arm of a few millimetres has the roots of one a thousand times as large.
+#[test]
+fn small_arms_keep_roots_that_are_near() {
+    for size in [1.0, 1e-3] {
+        let text = format!(
+            "name = 'small'\nconvention = 'standard'\n\
+             [[joint]]\ntheta = 'q1'\nalpha = 'pi/2'\nd = {size}\n\
+             [[joint]]\ntheta = 'q2'\na = {size}\nalpha = 'pi/3'\n\
+             [[joint]]\ntheta = 'q3'\na = {}\nalpha = 'pi/2'\n\
+             [[joint]]\ntheta = 'q4'\nd = {}\nalpha = '-pi/2'\n\
+             [[joint]]\ntheta = 'q5'\nalpha = 'pi/2'\n\
+             [[joint]]\ntheta = 'q6'\nd = {}\n",
+            0.2 * size,
+            0.7 * size,
+            0.1 * size
+        );
+        let chain = Robot::from_toml("small.toml", &text)
+            .unwrap()
+            .chain()
+            .unwrap();
+        let solver = Solver::new(&chain).unwrap();
+        let mut random = fastrand::Rng::with_seed(4);
+        let mut tried = 0;
+        for _ in 0..200 {
+            let Some(mut q) = beside(&solver, 2, &mut random) else {
+                continue;
+            };
+            q[2] += 2e-5;
+            let found = solver.solve(&tool_pose(&chain, &q).unwrap()).unwrap();
+            assert!(
+                contains(&solver, &q, &found, 2e-6),
+                "size {size}, {q:?}: {found:?}"
+            );
+            tried += 1;
+        }
+        assert!(tried > 50, "only {tried}");
+    }
 }

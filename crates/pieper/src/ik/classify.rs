@@ -2,9 +2,13 @@
 
 use std::fmt;
 
+use nalgebra::Matrix6;
+
 use super::TOLERANCES;
-use super::arm::Arm;
+use super::arm::{Arm, Columns, MAX_JOINTS};
+use super::descent::Room;
 use super::normal::Normal;
+use super::numeric::start;
 use crate::error::Result;
 use crate::model::Chain;
 
@@ -92,6 +96,9 @@ pub struct Structure {
     pub pairs: Vec<Pair>,
     /// The classes the arm belongs to, the most useful first; [`Class::General`] is always the last.
     pub classes: Vec<(Class, f64)>,
+    /// Whether six joints are too few in every configuration: some motion of them leaves the tool where it is. Every solution is
+    /// then one of infinitely many, and such an arm belongs to no class.
+    pub singular: bool,
 }
 
 impl Structure {
@@ -112,6 +119,33 @@ pub fn structure(chain: &Chain) -> Result<Structure> {
 }
 
 pub(super) fn of(arm: &Arm) -> Structure {
+    let mut structure = of_axes(arm);
+    if arm.steps() == 6 && arm.chain().dof() == 6 && is_singular(arm) {
+        structure.singular = true;
+        structure.classes = vec![(Class::General, 0.0)];
+    }
+    structure
+}
+
+/// Configurations at which an arm is tried that may be singular everywhere.
+const TRIALS: usize = 4;
+
+/// The smallest singular value over the largest, below which a configuration counts as singular: rounding of the Jacobian, with
+/// something to spare for arms of very different lengths.
+const SINGULAR: f64 = 1e-14;
+
+fn is_singular(arm: &Arm) -> bool {
+    (1..=TRIALS).all(|index| {
+        let q = start(arm, index, Room::Free);
+        let mut columns: Columns = [[0.0; 6]; MAX_JOINTS];
+        arm.pose_and_columns(&q, &mut columns);
+        let values = Matrix6::from_fn(|row, column| columns[column][row]).singular_values();
+        values.min() < SINGULAR * values.max()
+    })
+}
+
+/// The same without a look at whether the arm is singular everywhere.
+pub(super) fn of_axes(arm: &Arm) -> Structure {
     let count = arm.steps();
     let normals: Vec<Normal> = (0..count.saturating_sub(1))
         .map(|index| Normal::of(&arm.links()[index], arm.size()))
@@ -124,7 +158,11 @@ pub(super) fn of(arm: &Arm) -> Structure {
         find_classes(arm, &normals, &pairs, &mut classes);
     }
     classes.push((Class::General, 0.0));
-    Structure { pairs, classes }
+    Structure {
+        pairs,
+        classes,
+        singular: false,
+    }
 }
 
 fn pair(arm: &Arm, first: usize, normal: &Normal) -> Pair {
@@ -264,6 +302,10 @@ impl Structure {
                     axes(4, 6)
                 ));
             }
+            Class::General if self.singular => out.push(
+                "singular everywhere: in every configuration some motion of the joints leaves the tool where it is"
+                    .to_owned(),
+            ),
             Class::General => out.push("no closed form here takes such an arm".to_owned()),
         }
         out.extend(self.pairs.iter().map(|pair| pair.sentence()));

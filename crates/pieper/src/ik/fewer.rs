@@ -69,7 +69,7 @@ fn splits(missing: usize) -> Vec<Ends> {
 fn prepare_with(arm: &Arm, ends: Ends, special: bool) -> Option<(Fewer, Trial)> {
     let extras = ends.map(|(place, count, stand)| turns_at(place, count, stand, arm));
     let six = Arm::new(&extended(arm.chain(), &extras.concat()).ok()?).ok()?;
-    let mut structure = classify::of(&six);
+    let mut structure = classify::of_axes(&six);
     structure
         .classes
         .retain(|&(class, _)| (class != Class::General) == special);

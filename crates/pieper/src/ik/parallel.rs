@@ -279,7 +279,7 @@ impl<'a> Loop<'a> {
     /// The angle d for a given f: (roots of its sine, where it counts from, its cosine).
     fn inner_d(&self, f: (f64, f64), sink: &mut Sink<'_>) -> (Roots, (f64, f64), f64) {
         let m = self.direction_behind(f);
-        let cone = Cone::new(&self.k0, &self.axis_e[0], &m);
+        let cone = Cone::new(&self.k0, &self.axis_e[0], &m, self.slack);
         if let Some(cone) = cone {
             return self.cone_roots(&cone, sink);
         }
@@ -291,7 +291,7 @@ impl<'a> Loop<'a> {
     /// The angle f for a given d.
     fn inner_f(&self, d: (f64, f64), sink: &mut Sink<'_>) -> (Roots, (f64, f64), f64) {
         let y = self.direction_before(d) * self.flip;
-        let cone = Cone::new(&self.axis_e[1], &self.k3, &y);
+        let cone = Cone::new(&self.axis_e[1], &self.k3, &y, self.slack);
         if let Some(cone) = cone {
             return self.cone_roots(&cone, sink);
         }
@@ -546,10 +546,15 @@ struct Cone {
 }
 
 impl Cone {
-    fn new(u: &Vector3<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> Option<Self> {
+    /// None if there is no cone: an axis parallel to the next, as closely as the arm misses its class.
+    fn new(u: &Vector3<f64>, v: &Vector3<f64>, w: &Vector3<f64>, slack: f64) -> Option<Self> {
         let row = turned_dot(u, v);
         let length = length([row.c, row.s]);
-        if length < TOLERANCES.class {
+        let least = match slack > 0.0 {
+            true => TOLERANCES.class,
+            false => TOLERANCES.merely,
+        };
+        if length < least {
             return None;
         }
         let flat = w.x * w.x + w.y * w.y;

@@ -11,18 +11,47 @@ use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
 use nalgebra::Matrix6;
+use pieper::describe::Robot;
 use pieper::ik::{Solutions, Solver};
 use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::model::Chain;
 
-const ARMS: [&str; 6] = [
+const ARMS: [&str; 7] = [
     "irb120",
     "puma560",
     "ur5",
     "fanuc-crx10ia",
     "jaco2",
     "xarm6",
+    GENERAL,
 ];
+
+/// An arm without any structure, as in `bench/`.
+const GENERAL: &str = "general";
+
+/// An arm by its name.
+fn chain(id: &str) -> Chain {
+    let rows = [
+        (0.31, 0.12, 1.1),
+        (0.07, 0.42, -0.35),
+        (-0.11, 0.2, 1.4),
+        (0.38, 0.05, -0.9),
+        (0.06, -0.08, 1.25),
+        (0.12, 0.03, 0.4),
+    ];
+    if id != GENERAL {
+        return pieper_robots::find(id).unwrap().robot().chain().unwrap();
+    }
+    let mut text = "name = 'general'\nconvention = 'standard'\n".to_owned();
+    for (index, (d, a, alpha)) in rows.iter().enumerate() {
+        let joint = index + 1;
+        text += &format!("[[joint]]\ntheta = 'q{joint}'\nd = {d}\na = {a}\nalpha = {alpha}\n");
+    }
+    Robot::from_toml("general.toml", &text)
+        .unwrap()
+        .chain()
+        .unwrap()
+}
 
 fn jacobian(chain: &Chain, q: &[f64; 6]) -> Matrix6<f64> {
     let mut columns = Jacobian::zeros(6);
@@ -89,7 +118,7 @@ fn main() {
         if !named.is_empty() && !named.iter().any(|name| name == id) {
             continue;
         }
-        let chain = pieper_robots::find(id).unwrap().robot().chain().unwrap();
+        let chain = chain(id);
         let solver = Solver::new(&chain).unwrap();
         let mut regular: Vec<f64> = (0..400)
             .map(|_| time(&solver, &random_joints(&mut random), &mut found))

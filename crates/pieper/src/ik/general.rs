@@ -4,8 +4,10 @@
 //! trigonometric polynomial of degree 8 in one joint angle (`cycle`, `elimination`, `resultant`,
 //! `polynomial`), whose real roots are isolated (`isolate`, `refine`), completed to six angles (`back`) and
 //! improved by Newton's method on the true arm (`newton`). Every step runs on several samples or roots at once.
-//! A single elimination loses about one root in a thousand to rounding, in clusters of roots; two with different
-//! kept joints are run, and more until they agree (`agreement`). Structured arms (parallel or meeting axes) make the
+//! A single elimination loses about one root in a thousand to rounding, in clusters of roots. Where its polynomial is clear of its
+//! noise everywhere and each root led to a solution of its own, it is believed alone; otherwise more with different
+//! kept joints are run until two agree (`agreement`). Two roots that are nearly one are a fold of the arm, on which both solutions are
+//! told apart, or found to be one or none (`fold`). Structured arms (parallel or meeting axes) make the
 //! resultant vanish identically; their linear part is perturbed, the arm itself is not (`random`). Every elimination
 //! measures its own noise, by the harmonics that the polynomial should not have, and says whether roots may have drowned
 //! in it; then, and where eliminations differ, the resultant is computed with twice the digits (`number`). Roots that share
@@ -15,13 +17,14 @@
 //!
 //! Sources: M. Raghavan, B. Roth, J. Mech. Design 115, 1993 (the equations and the 12 x 12 resultant); D. Manocha,
 //! J. Canny, IEEE Trans. Robotics and Automation 10(5), 1994 (numeric elimination). The reduction to 3 x 3, the root
-//! isolation, the perturbation of the elimination alone, the measure of its noise and the agreement rule were worked out and
-//! measured for this project.
+//! isolation, the perturbation of the elimination alone, the measure of its noise, the agreement rule and the way to tell
+//! solutions apart at a fold were worked out and measured for this project.
 
 mod agreement;
 mod back;
 mod cycle;
 mod elimination;
+mod fold;
 mod isolate;
 mod lanes;
 mod line;
@@ -120,8 +123,9 @@ impl std::ops::Deref for Roots {
 /// How sure it is that all solutions were found, and how that was established.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
-    /// So many eliminations were run; at least two found the whole set, an even number of regular roots, one of them with
-    /// every root and every gap well above its noise. Not a proof; see the measured rates.
+    /// So many eliminations were run. The last one found the whole set, and was exact and well above its noise everywhere but at pairs of
+    /// roots that were told apart; or at least two found it, an even number of regular roots, one of them with
+    /// every root and every gap above its noise. Not a proof; see the measured rates.
     Agreed {
         /// Eliminations run.
         eliminations: u8,

@@ -1,4 +1,4 @@
-//! Several eliminations, until two agree and one of them had no doubts.
+//! One elimination that had no doubts at all, or several, until two agree and one of them had few.
 
 use pulp::Simd;
 
@@ -14,8 +14,8 @@ use super::{Completeness, General, Root, Roots};
 pub(super) const LEAST_EMPTY: usize = 3;
 
 /// An arm with an equation of its own is solved by that, unless too many places of it had to be looked at closely, or the
-/// number of roots is odd. Otherwise runs eliminations in the arm's order. The evidence of completeness is that two of them found all that is there, and that
-/// one of the two saw nothing drown in its noise.
+/// number of roots is odd. Otherwise runs eliminations in the arm's order. The evidence of completeness is one that is to be believed alone
+/// (`Doubt::alone`), or that two of them found all that is there, and that one of the two saw nothing drown in its noise.
 #[inline(always)]
 pub(super) fn run<S: Simd>(
     simd: S,
@@ -37,7 +37,7 @@ pub(super) fn run<S: Simd>(
         let is_whole = |pool: &Pool| !doubt.drowned || pool.count.is_multiple_of(2);
         if !doubt.near_miss && is_whole(&pool) {
             siblings::measure_new(simd, goal, &pool, 0, &mut sigma);
-            if !siblings::paired(&pool, &sigma) {
+            if doubt.drowned && !siblings::paired(&pool, &sigma) {
                 siblings::search(simd, goal, &mut pool, &mut sigma);
             }
             pool.merge(&mut sigma);
@@ -64,6 +64,21 @@ pub(super) fn run<S: Simd>(
             clear: !doubt.drowned,
         };
         run += 1;
+        // Nothing is known that it missed.
+        let is_all = pool.hit.count_ones() as usize == pool.count;
+        if let Some(lone) = doubt.alone.filter(|_| is_all) {
+            siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
+            let singular = singular(&pool, &sigma);
+            if singular & lone == 0 {
+                pool.merge(&mut sigma);
+                write(general, &pool, &sigma, out);
+                let eliminations = run as u8;
+                return match singular {
+                    0 => Completeness::Agreed { eliminations },
+                    _ => Completeness::Singular { eliminations },
+                };
+            }
+        }
         // A near-miss in one elimination may be two roots in another.
         if run < general.least + usize::from(near_miss) {
             continue;

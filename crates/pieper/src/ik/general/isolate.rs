@@ -19,10 +19,22 @@ const ADJACENT: f64 = 1e-6;
 /// What a polynomial is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Origin {
-    /// Of an elimination: its perturbation moves roots, so that a close complex pair may be two real roots.
-    Elimination,
+    /// Of a perturbed elimination: it moves roots, so that a close complex pair may be two real roots.
+    Perturbed,
+    /// Of an elimination of the arm as it is: right wherever it is above its noise.
+    Exact,
     /// Of the true equation: it says the truth wherever it is above its noise, and where it is not, it is drowned.
     Equation,
+}
+
+impl Origin {
+    /// Radians. Where the noise may move a root by more, it may hide others.
+    pub(super) fn shaky(self) -> f64 {
+        match self {
+            Self::Equation => TOLERANCES.shaky_equation,
+            _ => TOLERANCES.shaky,
+        }
+    }
 }
 
 /// Intervals that hold one root each, and points that may be one: angle = middle of the arc + offset.
@@ -33,6 +45,8 @@ pub(super) struct Candidates {
     pub(super) unsure: bool,
     /// Noise may hide roots, or make some up.
     pub(super) drowned: bool,
+    /// Of an exact elimination: some signs are no larger than noise, so that more roots may be where one was seen, or none.
+    pub(super) vague: bool,
     pub(super) arc: [u8; CANDIDATES],
     /// Offsets from the arc's middle, radians; equal for a point.
     pub(super) low: [f64; CANDIDATES],
@@ -44,27 +58,13 @@ pub(super) struct Candidates {
     /// Of the true equation: where it drowns, first and last angle.
     pub(super) windows: [(f64, f64); WINDOWS],
     pub(super) window_count: usize,
-    /// Of the true equation: two roots each that are nearly one, or nearly real.
-    pub(super) pairs: [Pair; PAIRS],
+    /// Not of a perturbed elimination: where two roots are nearly one, or nearly real, the angle at the top of their parabola.
+    pub(super) pairs: [f64; PAIRS],
     pub(super) pair_count: usize,
 }
 
-/// Two roots beside the top of a parabola.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pair {
-    /// Of the top.
-    pub(super) angle: f64,
-    /// The second derivative there.
-    pub(super) bend: f64,
-}
-
 /// Most pairs: there are 16 roots.
-const PAIRS: usize = 8;
-
-/// Radians. Two roots this close are told apart by the equation itself.
-const NEAR: f64 = 3e-5;
-/// Radians. The top of their parabola has to be known this well.
-const TOP: f64 = 1e-11;
+pub(super) const PAIRS: usize = 8;
 
 /// Most windows; more of them are no longer told apart.
 pub(super) const WINDOWS: usize = 8;
@@ -75,6 +75,7 @@ impl Candidates {
             count: 0,
             unsure: false,
             drowned: false,
+            vague: false,
             arc: [0; CANDIDATES],
             low: [0.0; CANDIDATES],
             high: [0.0; CANDIDATES],
@@ -82,17 +83,14 @@ impl Candidates {
             start: [0.0; CANDIDATES],
             windows: [(0.0, 0.0); WINDOWS],
             window_count: 0,
-            pairs: [Pair {
-                angle: 0.0,
-                bend: 1.0,
-            }; PAIRS],
+            pairs: [0.0; PAIRS],
             pair_count: 0,
         }
     }
 
-    fn push_pair(&mut self, pair: Pair) {
+    fn push_pair(&mut self, top: f64) {
         if self.pair_count < PAIRS {
-            self.pairs[self.pair_count] = pair;
+            self.pairs[self.pair_count] = top;
             self.pair_count += 1;
         } else {
             self.unsure = true;
@@ -141,8 +139,14 @@ impl Candidates {
         }
     }
 
+    /// How many of them are intervals.
+    pub(super) fn intervals(&self) -> usize {
+        (0..self.count)
+            .filter(|&k| self.low[k] < self.high[k])
+            .count()
+    }
+
     fn push_point(&mut self, arc: usize, at: f64) {
-        self.unsure = true;
         self.push(arc, (at, at), (1.0, -1.0));
     }
 }
@@ -227,7 +231,8 @@ pub(super) fn isolate<S: Simd>(
     for (arc, (&changes, &vague)) in signs.changes.iter().zip(&signs.vague).enumerate() {
         // One vague sign between two others may be noise; two may be two changes more.
         let doubtful = vague > changes.min(1.0);
-        let settled = origin == Origin::Elimination || !doubtful;
+        let settled = origin != Origin::Equation || !doubtful;
+        out.vague |= doubtful && changes < 2.0;
         if changes == 0.0 && settled {
             out.drowned |= vague > 0.0;
         } else if changes == 1.0 && settled {
@@ -281,21 +286,26 @@ impl Arc<'_> {
         };
         let mut stack = [whole; DEPTH + 1];
         let (mut depth, mut proposed) = (1, false);
+        let is_equation = self.origin == Origin::Equation;
         while depth > 0 {
             depth -= 1;
             let piece = stack[depth];
             let width = piece.high - piece.low;
             let changes = sign_changes(&piece.list);
             let vague = self.is_vague(&piece, changes);
+            out.vague |= vague && changes < 2;
             let last = width < TOLERANCES.least_width || depth + 2 > DEPTH;
             match changes {
-                _ if vague && (width < WINDOW || last) => self.window(&piece, out),
-                _ if vague => piece.split(&mut stack, &mut depth),
+                _ if vague && is_equation && (width < WINDOW || last) => self.window(&piece, out),
+                _ if vague && is_equation => piece.split(&mut stack, &mut depth),
                 0 => self.touch(&piece, &mut proposed, out),
                 1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
                 2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
-                _ if last && self.origin == Origin::Equation => self.window(&piece, out),
-                _ if last => out.push_point(self.index, 0.5 * (piece.low + piece.high)),
+                _ if last && is_equation => self.window(&piece, out),
+                _ if last => {
+                    out.unsure = true;
+                    out.push_point(self.index, 0.5 * (piece.low + piece.high));
+                }
                 _ => piece.split(&mut stack, &mut depth),
             }
         }
@@ -311,7 +321,7 @@ impl Arc<'_> {
     fn is_vague(&self, piece: &Piece, changes: usize) -> bool {
         let least = TOLERANCES.drowned * self.noise;
         let vague = || piece.list.iter().filter(|x| x.abs() < least).count();
-        self.origin == Origin::Equation && vague() > changes.min(1)
+        self.origin != Origin::Perturbed && vague() > changes.min(1)
     }
 
     /// No root, unless the polynomial is so small there that noise may hide some: then the point where it is smallest is
@@ -329,6 +339,7 @@ impl Arc<'_> {
         out.drowned = true;
         if !*proposed {
             *proposed = true;
+            out.unsure = true;
             let share = place as f64 / (BERNSTEIN - 1) as f64;
             out.push_point(self.index, share.mul_add(piece.high - piece.low, piece.low));
         }
@@ -356,15 +367,16 @@ impl Arc<'_> {
         if at <= piece.low || at >= piece.high {
             return false;
         }
-        let is_low = 2.0 * values[0].abs() < NEAR * NEAR * values[2].abs()
-            && self.noise < TOP * values[2].abs();
-        if self.origin == Origin::Equation && is_low {
-            let angle = HALF * (2 * self.index + 1) as f64 + at;
-            out.push_pair(Pair {
-                angle,
-                bend: values[2],
-            });
-            return true;
+        let (top, bend) = (values[0].abs(), values[2].abs());
+        let drowned = top < TOLERANCES.drowned * self.noise;
+        let flat = (2.0 * top * bend).sqrt() < self.noise / self.origin.shaky();
+        if self.origin != Origin::Perturbed && (drowned || flat) {
+            let most = top + TOLERANCES.drowned * self.noise;
+            if 2.0 * most < TOLERANCES.beside * TOLERANCES.beside * bend {
+                out.push_pair(HALF * (2 * self.index + 1) as f64 + at);
+                return true;
+            }
+            out.drowned |= self.origin == Origin::Exact;
         }
         let (at_low, at_high) = piece.ends();
         if (values[0] < 0.0) != (at_low < 0.0) {
@@ -372,14 +384,15 @@ impl Arc<'_> {
             out.push(self.index, (at, piece.high), (values[0], at_high));
             return true;
         }
-        if self.origin == Origin::Equation {
+        if self.origin != Origin::Perturbed {
             // Halved until the pair leaves no more sign changes: there may be other extrema beside.
             return false;
         }
-        out.drowned |= values[0].abs() < TOLERANCES.drowned * self.noise;
-        let imaginary = (2.0 * values[0] / values[2]).abs().sqrt();
+        out.drowned |= drowned;
+        let imaginary = (2.0 * top / bend).sqrt();
         if imaginary < TOLERANCES.near_miss && !*proposed {
             *proposed = true;
+            out.unsure = true;
             for offset in [0.0, imaginary, -imaginary] {
                 out.push_point(self.index, at + offset);
             }
@@ -454,7 +467,7 @@ mod tests {
     impl pulp::WithSimd for Isolate<'_> {
         type Output = ();
         fn with_simd<S: Simd>(self, simd: S) {
-            isolate(simd, self.0, self.1, 0.0, Origin::Elimination, self.2);
+            isolate(simd, self.0, self.1, 0.0, Origin::Perturbed, self.2);
         }
     }
 
@@ -472,7 +485,7 @@ mod tests {
                     tables: &tables,
                     polynomial: &polynomial,
                     noise: 0.0,
-                    origin: Origin::Elimination,
+                    origin: Origin::Perturbed,
                     index: k / 256,
                 };
                 arc.values(((k % 256) as f64 / 128.0 - 1.0) * HALF)[0]

@@ -146,6 +146,14 @@ impl<S: Simd> Mask<S> {
     }
 
     #[inline(always)]
+    pub(super) fn pick_turn(self, yes: Turn<S>, no: Turn<S>) -> Turn<S> {
+        Turn {
+            cos: self.pick(yes.cos, no.cos),
+            sin: self.pick(yes.sin, no.sin),
+        }
+    }
+
+    #[inline(always)]
     pub(super) fn or(self, other: Self) -> Self {
         let value = self.simd.or_m64s(self.value, other.value);
         Self { value, ..self }

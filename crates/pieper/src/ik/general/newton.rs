@@ -2,6 +2,7 @@
 
 use pulp::Simd;
 
+use super::fold::Frame;
 use super::lanes::{Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, square};
 use super::tolerances::TOLERANCES;
 
@@ -119,15 +120,21 @@ impl<S: Simd> Placed<S> {
     }
 }
 
+/// The error of the pose.
+#[inline(always)]
+pub(super) fn error<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Lane<S> {
+    place(simd, goal, q).size
+}
+
 /// Runs Newton's method in every lane and keeps the best angles of each. Returns their errors.
 #[inline(always)]
 pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> Lane<S> {
     let (zero, one) = (Lane::splat(simd, 0.0), Lane::splat(simd, 1.0));
     let half = Lane::splat(simd, 0.5);
     let most = Lane::splat(simd, TOLERANCES.newton_step);
-    let (rounding, closes) = (
+    let (rounding, done) = (
         Lane::splat(simd, TOLERANCES.rounding),
-        Lane::splat(simd, TOLERANCES.closes),
+        Lane::splat(simd, TOLERANCES.done),
     );
     let mut hopeless = Lane::splat(simd, TOLERANCES.hopeless);
     let infinite = Lane::splat(simd, f64::MAX);
@@ -142,7 +149,7 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
         }
         // A root that no longer improves although it is small is done; so is one without hope.
         let improves = placed.size.less(half * best);
-        let small = best.less(closes);
+        let small = best.less(done);
         let mut active = small.pick(improves.pick(one, zero), one);
         best = better.pick(placed.size, best);
         active = best.less(rounding).pick(zero, active);
@@ -164,15 +171,15 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
     best
 }
 
-/// `J x = r` by Gaussian elimination with row pivoting in each lane.
+/// `A x = r` by Gaussian elimination with row pivoting in each lane.
 #[inline(always)]
-fn solve<S: Simd>(mut a: Matrix<S>, mut r: [Lane<S>; 6]) -> [Lane<S>; 6] {
+fn solve<S: Simd, const N: usize>(mut a: [[Lane<S>; N]; N], mut r: [Lane<S>; N]) -> [Lane<S>; N] {
     let one = r[0].constant(1.0);
     let tiny = one.constant(1e-300);
-    for k in 0..6 {
-        for i in k + 1..6 {
+    for k in 0..N {
+        for i in k + 1..N {
             let larger = a[k][k].abs().less(a[i][k].abs());
-            for j in k..6 {
+            for j in k..N {
                 let (upper, lower) = (a[k][j], a[i][j]);
                 a[k][j] = larger.pick(lower, upper);
                 a[i][j] = larger.pick(upper, lower);
@@ -181,21 +188,60 @@ fn solve<S: Simd>(mut a: Matrix<S>, mut r: [Lane<S>; 6]) -> [Lane<S>; 6] {
         }
         let pivot = a[k][k].abs().less(tiny).pick(tiny, a[k][k]);
         a[k][k] = one / pivot;
-        for i in k + 1..6 {
+        for i in k + 1..N {
             let factor = a[i][k] * a[k][k];
-            for j in k + 1..6 {
+            for j in k + 1..N {
                 a[i][j] = factor.subtract_product(a[k][j], a[i][j]);
             }
             r[i] = factor.subtract_product(r[k], r[i]);
         }
     }
-    for i in (0..6).rev() {
-        for j in i + 1..6 {
+    for i in (0..N).rev() {
+        for j in i + 1..N {
             r[i] = a[i][j].subtract_product(r[j], r[i]);
         }
         r[i] = r[i] * a[i][i];
     }
     r
+}
+
+/// Moves every lane to where the error of the pose is along `frame.left` alone, at a distance `along` along `frame.free`.
+/// Returns the error there and the longest of the last steps.
+#[inline(always)]
+pub(super) fn settle<S: Simd>(
+    simd: S,
+    goal: &Goal<'_>,
+    frame: &Frame,
+    q: &mut Angles<S>,
+    along: Lane<S>,
+    steps: usize,
+    enough: f64,
+) -> (Lane<S>, f64) {
+    let zero = Lane::splat(simd, 0.0);
+    let (mut rest, mut error, mut last) = (along, zero, f64::MAX);
+    for _ in 0..steps {
+        let placed = place(simd, goal, q);
+        let jacobian = placed.jacobian(goal.slides);
+        let mut a = [[zero; 7]; 7];
+        let mut r = [rest; 7];
+        for i in 0..6 {
+            a[i][..6].copy_from_slice(&jacobian[i]);
+            a[i][6] = Lane::splat(simd, frame.left[i]);
+            a[6][i] = Lane::splat(simd, frame.free[i]);
+            r[i] = placed.error[i];
+        }
+        let [step @ .., along_left] = solve(a, r);
+        error = along_left;
+        for k in 0..6 {
+            q[k] = q[k].moved(step[k], goal.slides[k]);
+            rest = rest - Lane::splat(simd, frame.free[k]) * step[k];
+        }
+        last = square(&step).sqrt().largest();
+        if last < enough {
+            break;
+        }
+    }
+    (error, last)
 }
 
 /// What is measured at a root.
@@ -205,6 +251,8 @@ pub(super) struct Measured<S: Simd> {
     pub(super) sigma: Lane<S>,
     /// The joint motion that moves the end least, of unit length.
     pub(super) free: [Lane<S>; 6],
+    /// The motion of the end that takes most of the joints, of unit length.
+    pub(super) left: [Lane<S>; 6],
 }
 
 /// Steps of the power method; its start is the largest column already.
@@ -232,8 +280,9 @@ pub(super) fn measure<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Measu
     let one = Lane::splat(simd, 1.0);
     divide(&mut free, length);
     let mut stretch = length;
+    let mut left = [zero; 6];
     for _ in 0..POWERS {
-        let mut left = [zero; 6];
+        left = [zero; 6];
         for i in 0..6 {
             for j in 0..6 {
                 left[j] = inverse[i][j].mul_add(free[i], left[j]);
@@ -253,6 +302,7 @@ pub(super) fn measure<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Measu
     Measured {
         sigma: one / stretch,
         free,
+        left,
     }
 }
 

@@ -7,7 +7,7 @@
 //! elimination has for such arms; where joint 1 may turn by half a turn in every solution, as for arms without any offset of
 //! the shoulder, degree 4 for pairs of solutions. The same arms with wrist and shoulder exchanged are solved backwards.
 //!
-//! Near double roots the polynomial is a parabola, and the equation at its top tells the two apart (`pairs`). Where the
+//! Near double roots the polynomial is a parabola; from its top the arm itself tells the two apart (`pair`). Where the
 //! polynomial drowns in its rounding in other ways, as it does near families, the equation itself is looked at
 //! through a magnifying glass (`magnify`): near such places its own rounding vanishes with it.
 //!
@@ -17,7 +17,7 @@ mod back;
 mod equation;
 mod finish;
 mod magnify;
-mod pairs;
+mod pair;
 
 use pulp::{Simd, WithSimd};
 
@@ -34,7 +34,7 @@ use crate::spatial::{Pose, sin_cos_exact};
 use equation::{Equation, Plane};
 use finish::{Finish, Polish};
 use magnify::{Magnify, Search, Spots};
-use pairs::Pairs;
+use pair::Pair;
 
 /// Which neighbour axis 5 meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,6 +179,7 @@ impl Offset {
             near_miss: candidates.unsure,
             drowned: candidates.drowned,
             noise: sampled.noise,
+            alone: None,
         };
         let finish = Finish {
             offset: self,
@@ -203,12 +204,10 @@ impl Offset {
         }
         // Two roots that lead to the same solution are one root found twice, and another lost.
         doubt.drowned |= pool.count != before + expected;
-        for register in 0..(2 * candidates.pair_count).div_ceil(S::F64_LANES) {
-            doubt.drowned |= simd.vectorize(Pairs {
+        for &top in &candidates.pairs[..candidates.pair_count] {
+            doubt.drowned |= !simd.vectorize(Pair {
                 finish: &finish,
-                sampled: &sampled,
-                candidates: &candidates,
-                register,
+                top,
                 pool,
             });
         }

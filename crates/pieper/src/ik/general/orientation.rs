@@ -112,6 +112,7 @@ impl Orientation {
             near_miss: candidates.unsure,
             drowned: candidates.drowned,
             noise: sampled.noise,
+            alone: None,
         };
         for k in 0..candidates.count {
             let simple = candidates.low[k] < candidates.high[k];
@@ -298,7 +299,7 @@ impl WithSimd for Isolate<'_> {
             self.tables,
             polynomial,
             self.sampled.noise,
-            Origin::Elimination,
+            Origin::Perturbed,
             candidates,
         );
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {

@@ -89,18 +89,10 @@ impl Pool {
     pub(super) fn add<S: Simd>(&mut self, q: &Angles<S>, errors: Lane<S>, used: usize, most: f64) {
         let mut error = [0.0; 8];
         errors.store(&mut error, 0);
-        let mut numbers = [[0.0; 8]; 12];
-        for (joint, Turn { cos, sin }) in q.iter().enumerate() {
-            cos.store(&mut numbers[joint], 0);
-            sin.store(&mut numbers[6 + joint], 0);
-        }
+        let points = scatter(q);
         for lane in 0..used.min(8) {
             if error[lane] <= most {
-                let mut point = [0.0; 12];
-                for (entry, list) in point.iter_mut().zip(&numbers) {
-                    *entry = list[lane];
-                }
-                self.insert(&point, error[lane]);
+                self.insert(&points[lane], error[lane]);
             }
         }
     }
@@ -124,6 +116,46 @@ impl Pool {
             self.count += 1;
         }
     }
+}
+
+/// Every lane as a point of its own.
+#[inline(always)]
+pub(super) fn scatter<S: Simd>(q: &Angles<S>) -> [Point; 8] {
+    let mut points = [[0.0; 12]; 8];
+    for (joint, Turn { cos, sin }) in q.iter().enumerate() {
+        let mut numbers = [[0.0; 8]; 2];
+        cos.store(&mut numbers[0], 0);
+        sin.store(&mut numbers[1], 0);
+        for (lane, point) in points.iter_mut().enumerate() {
+            (point[joint], point[6 + joint]) = (numbers[0][lane], numbers[1][lane]);
+        }
+    }
+    points
+}
+
+/// Points as lanes, the last one in all that are left.
+#[inline(always)]
+pub(super) fn gather<S: Simd>(simd: S, points: &[Point]) -> Angles<S> {
+    let mut numbers = [[0.0; 8]; 12];
+    let last = points.len().saturating_sub(1);
+    for lane in 0..S::F64_LANES {
+        let Some(point) = points.get(lane.min(last)) else {
+            break;
+        };
+        for (list, x) in numbers.iter_mut().zip(point) {
+            list[lane] = *x;
+        }
+    }
+    let zero = Lane::splat(simd, 0.0);
+    let mut q = [Turn {
+        cos: zero,
+        sin: zero,
+    }; 6];
+    for (joint, turn) in q.iter_mut().enumerate() {
+        turn.cos = Lane::load(simd, &numbers[joint], 0);
+        turn.sin = Lane::load(simd, &numbers[6 + joint], 0);
+    }
+    q
 }
 
 /// The largest difference of two solutions' sines and cosines.

@@ -68,7 +68,7 @@ pub(super) fn polish<S: Simd>(
 }
 
 /// A step in radians after which the next one, by quadratic convergence, is at the noise of an elimination's coefficients.
-pub(super) const POLISHED: f64 = 1e-5;
+pub(super) const POLISHED: f64 = 1e-8;
 
 /// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.
 #[inline(always)]

@@ -3,9 +3,9 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::lanes::{Lane, Turn};
-use super::newton::{Angles, Goal, measure, newton};
-use super::pool::{CAPACITY, Pool};
+use super::lanes::Lane;
+use super::newton::{Goal, measure, newton};
+use super::pool::{CAPACITY, Pool, gather};
 use super::tolerances::TOLERANCES;
 
 /// Measures the solutions from `first` on.
@@ -39,32 +39,11 @@ impl WithSimd for Measure<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let q = gather(simd, self.pool, self.register);
+        let first = self.register * S::F64_LANES;
+        let q = gather(simd, &self.pool.points[first..self.pool.count]);
         let measured = measure(simd, self.goal, &q);
         measured.sigma.store(self.sigma, self.register);
     }
-}
-
-/// The solutions of one register.
-#[inline(always)]
-fn gather<S: Simd>(simd: S, pool: &Pool, register: usize) -> Angles<S> {
-    let mut lists = [[0.0; 8]; 12];
-    for (place, list) in lists.iter_mut().enumerate() {
-        for (lane, slot) in list.iter_mut().enumerate().take(S::F64_LANES) {
-            let index = (register * S::F64_LANES + lane).min(pool.count.saturating_sub(1));
-            *slot = pool.points[index][place];
-        }
-    }
-    let zero = Lane::splat(simd, 0.0);
-    let mut q = [Turn {
-        cos: zero,
-        sin: zero,
-    }; 6];
-    for (joint, turn) in q.iter_mut().enumerate() {
-        turn.cos = Lane::load(simd, &lists[joint], 0);
-        turn.sin = Lane::load(simd, &lists[6 + joint], 0);
-    }
-    q
 }
 
 /// Whether every nearly singular solution has a partner that is as singular: siblings are, on both sides of a double root
@@ -127,16 +106,7 @@ impl WithSimd for Along<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let point = self.pool.points[self.index];
-        let zero = Lane::splat(simd, 0.0);
-        let mut q = [Turn {
-            cos: zero,
-            sin: zero,
-        }; 6];
-        for (joint, turn) in q.iter_mut().enumerate() {
-            turn.cos = Lane::splat(simd, point[joint]);
-            turn.sin = Lane::splat(simd, point[6 + joint]);
-        }
+        let mut q = gather(simd, &[self.pool.points[self.index]]);
         let measured = measure(simd, self.goal, &q);
         let distance = Lane::load(simd, &DISTANCES, self.register);
         for (joint, turn) in q.iter_mut().enumerate() {

@@ -5,12 +5,13 @@ use pulp::{Simd, WithSimd};
 use super::back::{self, Links};
 use super::cycle::Case;
 use super::elimination::{Harmonics, Linear};
-use super::isolate::{Candidates, Origin, isolate};
+use super::fold::Fold;
+use super::isolate::{Candidates, Origin, PAIRS, isolate};
 use super::lanes::{Lane, Mask, Rigid, Turn, square};
 use super::newton::{Angles, Goal, newton};
 use super::number::Double;
 use super::polynomial::{Sampled, sample};
-use super::pool::Pool;
+use super::pool::{Point, Pool, scatter};
 use super::refine::{POLISHED, polish};
 use super::resultant::{self, Form, Reduced};
 use super::tables::Tables;
@@ -23,6 +24,8 @@ pub(super) struct Elimination {
     pub(super) case: Case,
     /// Whether the resultant is computed with twice the digits.
     pub(super) precise: bool,
+    /// Whether its linear part is that of the arm as it is.
+    pub(super) exact: bool,
     pub(super) form: Form,
     pub(super) linear: Linear,
     /// The true links behind a to e and the inverse of the one behind f; the target's is filled in per target.
@@ -54,6 +57,10 @@ pub(super) struct Doubt {
     pub(super) drowned: bool,
     /// The noise, relative to the largest coefficient.
     pub(super) noise: f64,
+    /// That it is evidence enough, unless one of these solutions is singular: those that lone roots led to, one bit each. For that
+    /// the elimination is exact, it rose above its noise everywhere but at pairs of roots that were told apart, and every
+    /// lone root led to a solution of its own.
+    pub(super) alone: Option<u64>,
 }
 
 impl Elimination {
@@ -72,6 +79,36 @@ impl Elimination {
         let one = turn.cos.constant(1.0);
         let tiny = turn.cos.constant(f64::EPSILON);
         Turn::slid(turn.sin / (one + turn.cos).max(tiny))
+    }
+
+    #[inline(always)]
+    fn reduce<S: Simd>(&self, blocks: &Harmonics, c: Turn<S>) -> Reduced<S> {
+        if self.precise {
+            resultant::reduce::<S, Double<S>>(blocks, c)
+        } else {
+            resultant::reduce::<S, Lane<S>>(blocks, c)
+        }
+    }
+
+    /// The arm's joints from the angles c, d and e.
+    #[inline(always)]
+    fn joints<S: Simd>(
+        &self,
+        simd: S,
+        links: &Links,
+        c: Turn<S>,
+        (d, e): (Turn<S>, Turn<S>),
+    ) -> Angles<S> {
+        let (d, e) = (self.value(3, d), self.value(4, e));
+        let loop_angles = back::complete(simd, links, &self.slides, [c, d, e]);
+        let mut q = loop_angles;
+        for (angle, joint) in loop_angles.into_iter().zip(self.case.joints()) {
+            q[joint] = match self.case.inverted {
+                true => angle.reversed(),
+                false => angle,
+            };
+        }
+        q
     }
 
     #[inline(always)]
@@ -107,12 +144,18 @@ impl Elimination {
         simd.vectorize(Isolate {
             tables,
             sampled: &sampled,
+            origin: if self.exact {
+                Origin::Exact
+            } else {
+                Origin::Perturbed
+            },
             out: &mut candidates,
         });
         let mut doubt = Doubt {
             near_miss: candidates.unsure,
             drowned: candidates.drowned,
             noise: sampled.noise,
+            alone: None,
         };
         let mut links = self.links;
         links[self.case.place()] = Rigid::of(self.link(target));
@@ -133,6 +176,33 @@ impl Elimination {
                 pool,
             });
         }
+        let lone = std::mem::take(&mut pool.hit);
+        let mut told = true;
+        for register in 0..candidates.pair_count.div_ceil(S::F64_LANES) {
+            let starts = simd.vectorize(Tops {
+                elimination: self,
+                links: &links,
+                blocks: &blocks,
+                candidates: &candidates,
+                register,
+            });
+            let used = candidates.pair_count - register * S::F64_LANES;
+            for start in starts.iter().take(used.min(S::F64_LANES)) {
+                match simd.vectorize(Fold { goal, start }) {
+                    Some(fold) => fold.add_to(pool),
+                    None => told = false,
+                }
+            }
+        }
+        // Those that only lone roots led to.
+        let lone = lone & !pool.hit;
+        pool.hit |= lone;
+        doubt.drowned |= !told;
+        let is_clear = !(doubt.near_miss || doubt.drowned || candidates.vague);
+        // Fewer, and a root led nowhere or to another one's solution; more, and some solution has no root.
+        let is_whole = lone.count_ones() as usize == candidates.intervals();
+        doubt.alone = (self.exact && is_clear && is_whole && sampled.noise < TOLERANCES.believed)
+            .then_some(lone);
         doubt
     }
 
@@ -213,6 +283,7 @@ impl WithSimd for Condition<'_> {
 struct Isolate<'a> {
     tables: &'a Tables,
     sampled: &'a Sampled,
+    origin: Origin,
     out: &'a mut Candidates,
 }
 
@@ -225,7 +296,7 @@ impl WithSimd for Isolate<'_> {
             self.tables,
             &self.sampled.polynomial,
             self.sampled.noise,
-            Origin::Elimination,
+            self.origin,
             self.out,
         );
     }
@@ -247,23 +318,12 @@ struct Finish<'a, 'b> {
 /// Newton steps on the determinant itself, with the polynomial's slope.
 const DIRECT: usize = 1;
 
-impl Finish<'_, '_> {
-    #[inline(always)]
-    fn reduce<S: Simd>(&self, c: Turn<S>) -> Reduced<S> {
-        if self.elimination.precise {
-            resultant::reduce::<S, Double<S>>(self.blocks, c)
-        } else {
-            resultant::reduce::<S, Lane<S>>(self.blocks, c)
-        }
-    }
-}
-
 impl WithSimd for Finish<'_, '_> {
     /// Whether noise moves some of the roots far.
     type Output = bool;
     #[inline(always)]
     fn with_simd<S: Simd>(mut self, simd: S) -> bool {
-        let polynomial = &self.sampled.polynomial;
+        let (elimination, polynomial) = (self.elimination, &self.sampled.polynomial);
         let polished = polish(
             simd,
             self.tables,
@@ -281,17 +341,20 @@ impl WithSimd for Finish<'_, '_> {
         let mut c = polished.turn;
         let scale = Lane::splat(simd, self.sampled.scale);
         for _ in 0..DIRECT {
-            let reduced = self.reduce(c);
+            let reduced = elimination.reduce(self.blocks, c);
             let step = -(reduced.value * scale / polished.slope);
             let usable = step.abs().less(polished.most);
             c = c.advanced(usable.pick(step, zero));
         }
-        let reduced = self.reduce(c);
-        let form = self.elimination.form;
-        let mut good = self.finish(simd, c, reduced.angles(form));
+        let reduced = elimination.reduce(self.blocks, c);
+        let form = elimination.form;
+        let plain = reduced.angles(form);
+        let mut good = self.finish(simd, c, plain);
         let (twins, both) = reduced.twins(form);
         if twins.any() {
-            for angles in both {
+            for (d, e) in both {
+                // The others once more, which costs nothing: from elsewhere Newton's method would take long.
+                let angles = (twins.pick_turn(d, plain.0), twins.pick_turn(e, plain.1));
                 good = good.or(self.finish(simd, c, angles));
             }
         }
@@ -301,22 +364,39 @@ impl WithSimd for Finish<'_, '_> {
     }
 }
 
+/// From the tops of pairs to joint angles nearby, one register of them.
+struct Tops<'a> {
+    elimination: &'a Elimination,
+    links: &'a Links,
+    blocks: &'a Harmonics,
+    candidates: &'a Candidates,
+    register: usize,
+}
+
+impl WithSimd for Tops<'_> {
+    type Output = [Point; 8];
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> [Point; 8] {
+        let elimination = self.elimination;
+        let (mut cos, mut sin) = ([1.0; PAIRS], [0.0; PAIRS]);
+        for k in 0..self.candidates.pair_count {
+            (sin[k], cos[k]) = self.candidates.pairs[k].sin_cos();
+        }
+        let c = Turn {
+            cos: Lane::load(simd, &cos, self.register),
+            sin: Lane::load(simd, &sin, self.register),
+        };
+        let angles = elimination.reduce(self.blocks, c).angles(elimination.form);
+        let q = elimination.joints(simd, self.links, c, angles);
+        scatter(&q)
+    }
+}
+
 impl Finish<'_, '_> {
     /// From the angles c, d and e to solutions; whether there is one close to the angle c.
     #[inline(always)]
-    fn finish<S: Simd>(&mut self, simd: S, c: Turn<S>, (d, e): (Turn<S>, Turn<S>)) -> Mask<S> {
-        let d = self.elimination.value(3, d);
-        let e = self.elimination.value(4, e);
-        let loop_angles = back::complete(simd, self.links, &self.elimination.slides, [c, d, e]);
-        let mut q: Angles<S> = loop_angles;
-        let joints = self.elimination.case.joints();
-        for (angle, joint) in loop_angles.into_iter().zip(joints) {
-            q[joint] = if self.elimination.case.inverted {
-                angle.reversed()
-            } else {
-                angle
-            };
-        }
+    fn finish<S: Simd>(&mut self, simd: S, c: Turn<S>, angles: (Turn<S>, Turn<S>)) -> Mask<S> {
+        let mut q = self.elimination.joints(simd, self.links, c, angles);
         let errors = newton(simd, self.goal, &mut q);
         let used = self.candidates.count - self.register * S::F64_LANES;
         self.pool

@@ -16,12 +16,19 @@ pub(super) struct Tolerances {
     pub(super) short: f64,
     /// Radians. No interval is cut further: the noise of the coefficients moves close roots by as much.
     pub(super) least_width: f64,
+    /// Radians. How far the roots of a pair may be from the top of their parabola, by all that noise allows: farther apart, they are
+    /// no two that something takes for one.
+    pub(super) beside: f64,
     /// Radians. A complex pair with a smaller imaginary part may be two real roots in truth.
     pub(super) near_miss: f64,
     /// Times the noise of a coefficient: where the polynomial is smaller, its sign means nothing.
     pub(super) drowned: f64,
+    /// Relative to the largest coefficient: an elimination with more noise is not believed alone.
+    pub(super) believed: f64,
     /// Radians. Where the noise may move a root by more, it may hide others.
     pub(super) shaky: f64,
+    /// The same for an equation without elimination, whose noise is small.
+    pub(super) shaky_equation: f64,
     /// Radians. A larger step towards the root of det S is noise.
     pub(super) refine_step: f64,
     /// The second singular value of P over the first, below which two roots are so close that their null vectors mix.
@@ -35,6 +42,8 @@ pub(super) struct Tolerances {
     pub(super) newton_step: f64,
     /// The error of a pose below which rounding rules.
     pub(super) rounding: f64,
+    /// An error below which a step that does not halve it is the last one. More, and beside a fold a root would stop short.
+    pub(super) done: f64,
     /// The largest error of an accepted root: quadratic convergence leaves nothing between this and rounding, but
     /// at singularities it stalls.
     pub(super) closes: f64,
@@ -59,15 +68,19 @@ pub(super) const TOLERANCES: Tolerances = Tolerances {
     pair_width: 0.1,
     short: 0.025,
     least_width: 2e-4,
+    beside: 3e-3,
     near_miss: 0.03,
     drowned: 10.0,
+    believed: 1e-13,
     shaky: 0.01,
+    shaky_equation: 1e-6,
     refine_step: 0.02,
     twins: 1e-3,
     moved: 1e-3,
     hopeless: 0.3,
     newton_step: 0.5,
     rounding: 2e-15,
+    done: 1e-14,
     closes: 1e-10,
     closes_well: 1e-12,
     same: 1e-7,

@@ -59,6 +59,8 @@ struct Score {
     way: Way,
     /// For each pose the members of the union found.
     found: [u64; POSES],
+    /// Whether it would have been believed alone.
+    alone: [bool; POSES],
     /// The perturbation or the usual noise of the polynomial, whichever is larger.
     blur: f64,
 }
@@ -75,18 +77,27 @@ impl WithSimd for Trial<'_> {
         for delta in DELTAS {
             for way in self.ways(simd, delta, &targets, &mut random) {
                 let (mut found, mut noise) = ([0; POSES], [0.0; POSES]);
+                let mut alone = [false; POSES];
                 for (p, target) in targets.iter().enumerate() {
                     pools[p].start();
                     let goal = self.goal(target);
                     let doubt = way.run(simd, self.tables, &goal, target, &mut pools[p]);
                     (found[p], noise[p]) = (pools[p].hit, doubt.noise);
+                    alone[p] = doubt.alone.is_some();
                 }
                 noise.sort_by(f64::total_cmp);
                 scores.push(Score {
                     blur: noise[POSES / 2].max(delta),
                     way,
                     found,
+                    alone,
                 });
+            }
+        }
+        for score in &mut scores {
+            let missed = |p: usize| score.found[p].count_ones() < pools[p].count as u32;
+            if (0..POSES).any(|p| score.alone[p] && missed(p)) {
+                score.way.disbelieve();
             }
         }
         let (chosen, mut rest, least) = choose(scores, &pools);
@@ -245,6 +256,7 @@ impl Trial<'_> {
         let mut best = Elimination {
             case,
             precise: false,
+            exact: delta == 0.0,
             form,
             linear: Linear::new(case, &loop_links, &self.arm.slides, delta, random),
             links,

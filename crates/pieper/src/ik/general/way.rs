@@ -26,6 +26,13 @@ impl Way {
         }
     }
 
+    /// Never takes it for evidence enough: for arms that are too special for its noise to tell.
+    pub(super) fn disbelieve(&mut self) {
+        if let Self::Resultant(elimination) = self {
+            elimination.exact = false;
+        }
+    }
+
     /// Finds roots and adds them to the pool.
     #[inline(always)]
     pub(super) fn run<S: Simd>(

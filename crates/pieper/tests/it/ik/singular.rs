@@ -1,10 +1,11 @@
 //! At and near singular poses: no root lost, none listed twice, families recognised.
 
-use super::random_arms::sigma;
+use super::random_arms::{Row, sigma};
 use super::{check_closes, closed_forms, contains};
 use crate::support::{difference, random_joints};
 use nalgebra::DMatrix;
 use pieper::describe::Robot;
+use pieper::ik::classify::Class;
 use pieper::ik::{Solutions, Solver, Status};
 use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::spatial::shift;
@@ -177,8 +178,11 @@ fn tool_axis(solver: &Solver) -> nalgebra::Vector3<f64> {
 fn roots_beside_any_singularity_are_in_the_set() {
     let mut random = fastrand::Rng::with_seed(21);
     let mut tried = 0;
-    for id in ["irb120", "puma560", "ur5", "jaco2", "xarm6"] {
-        let solver = solver(id);
+    for id in ["irb120", "puma560", "ur5", "jaco2", "xarm6", "general"] {
+        let solver = match id {
+            "general" => general(),
+            id => solver(id),
+        };
         for exponent in [3, 5, 7, 9, 11] {
             for _ in 0..60 {
                 let joint = random.usize(1..5);
@@ -196,7 +200,102 @@ fn roots_beside_any_singularity_are_in_the_set() {
             }
         }
     }
-    assert!(tried > 500, "only {tried}");
+    assert!(tried > 600, "only {tried}");
+}
+
+/// An arm without any structure.
+fn general() -> Solver {
+    let rows = [
+        (0.31, 0.12, 1.1),
+        (0.07, 0.42, -0.35),
+        (-0.11, 0.2, 1.4),
+        (0.38, 0.05, -0.9),
+        (0.06, -0.08, 1.25),
+        (0.12, 0.03, 0.4),
+    ];
+    let solver = super::random_arms::solver(&rows.map(turning));
+    assert_eq!(solver.choice().name, "general");
+    solver
+}
+
+/// A row of a joint that turns: d, a, alpha.
+fn turning((d, a, alpha): (f64, f64, f64)) -> Row {
+    Row {
+        turns: true,
+        theta: 0.0,
+        d,
+        a,
+        alpha,
+    }
+}
+
+/// With two neighbouring axes on one line, only the sum of two angles counts: there is no isolated solution, although the rest of
+/// the arm is of a class.
+#[test]
+fn arms_that_are_singular_everywhere_have_families_only() {
+    let h = FRAC_PI_2;
+    let ball_on_arm = [
+        (0.3, 0.1, h),
+        (0.0, 0.4, 0.0),
+        (0.0, 0.0, 0.0),
+        (0.35, 0.0, -h),
+        (0.0, 0.0, h),
+        (0.1, 0.0, 0.0),
+    ];
+    let three_parallel = [
+        (0.1, 0.0, h),
+        (0.0, 0.4, 0.0),
+        (0.0, 0.3, 0.0),
+        (0.1, 0.0, h),
+        (0.1, 0.0, 0.0),
+        (0.1, 0.05, 0.3),
+    ];
+    let mut random = fastrand::Rng::with_seed(31);
+    for rows in [ball_on_arm, three_parallel] {
+        let solver = super::random_arms::solver(&rows.map(turning));
+        let structure = solver.structure();
+        assert!(structure.singular && structure.class() == Class::General);
+        assert!(structure.evidence(Class::General)[0].starts_with("singular everywhere"));
+        for _ in 0..5 {
+            let q = random_joints(solver.chain(), &mut random);
+            let pose = tool_pose(solver.chain(), &q).unwrap();
+            let found = solver.solve(&pose).unwrap();
+            assert_eq!(found.status(), Status::Singular, "{q:?}");
+            check_closes(&solver, &q, &found, "singular everywhere");
+            assert!(contains(&solver, &q, &found, 1e-6), "{q:?}: {found:?}");
+        }
+    }
+    // What is regular somewhere is of its class, wherever it is singular.
+    assert!(!solver("irb120").structure().singular);
+}
+
+/// Axes beside the three parallel ones that are parallel but for a hair, in the table or in a pose: that is a cone, however blunt.
+#[test]
+fn nearly_parallel_axes_beside_three_parallel_ones() {
+    let mut random = fastrand::Rng::with_seed(32);
+    for exponent in 2..=6 {
+        let hair = 10_f64.powi(-exponent);
+        let rows = [
+            (0.3, 0.0, hair),
+            (-0.46, -0.43, 0.8),
+            (0.0, -0.4, -FRAC_PI_2),
+            (0.0, 0.43, 0.0),
+            (0.0, 0.46, 0.0),
+            (0.0, 0.0, 0.8),
+        ];
+        let solver = super::random_arms::solver(&rows.map(turning));
+        assert_eq!(solver.choice().name, "three-parallel");
+        for _ in 0..100 {
+            let q = random_joints(solver.chain(), &mut random);
+            let found = solver
+                .solve(&tool_pose(solver.chain(), &q).unwrap())
+                .unwrap();
+            let what = format!("twist {hair:e} {q:?}");
+            check_closes(&solver, &q, &found, &what);
+            let tolerance = (1e-13 / sigma(&solver, &q)).max(1e-8);
+            assert!(contains(&solver, &q, &found, tolerance), "{what}");
+        }
+    }
 }
 
 /// Where the determinant of the Jacobian changes its sign as a joint of a random joint vector moves.

@@ -322,6 +322,8 @@ pub(super) struct Branch<S: Simd> {
 const EVEN: f64 = 1e-12;
 /// Squares of x' below this, relative to the distance from axis 1, may be of either sign.
 const MERGED: f64 = 1e-9;
+/// The same for a pair of roots, which may be some way to the sides of their top.
+const BESIDE: f64 = 0.3;
 
 impl<S: Simd> Values<S> {
     /// The polynomial: the norm over `(x^2 + y^2)^2`, or half of it where x' does not occur.
@@ -348,6 +350,12 @@ impl<S: Simd> Values<S> {
         let zero = self.root.constant(0.0);
         let least = self.square * self.square.constant(MERGED);
         (zero.less(self.root), self.root.abs().less(least))
+    }
+
+    /// Where x' is no real number, nor anywhere near.
+    #[inline(always)]
+    pub(super) fn is_far_from_real(&self) -> Mask<S> {
+        self.root.less(self.square * self.square.constant(-BESIDE))
     }
 
     /// The x' that the equation asks for; where it does not occur, the positive one.

@@ -23,6 +23,19 @@ pub(super) struct Finish<'a> {
 }
 
 impl Finish<'_> {
+    /// From the unknown and a branch to the arm's joints.
+    #[inline(always)]
+    pub(super) fn joints<S: Simd>(&self, simd: S, angle: Turn<S>, branch: &Branch<S>) -> Angles<S> {
+        let seen = back::complete(simd, self.offset, self.target, self.equation, angle, branch);
+        let mut q = seen;
+        if self.offset.reversed {
+            for joint in 0..6 {
+                q[5 - joint] = seen[joint].reversed();
+            }
+        }
+        q
+    }
+
     /// From the unknown and a branch to solutions, of the first so many lanes; whether there is one close to it, to rounding.
     #[inline(always)]
     pub(super) fn solve<S: Simd>(
@@ -33,13 +46,7 @@ impl Finish<'_> {
         used: usize,
         pool: &mut Pool,
     ) -> Mask<S> {
-        let seen = back::complete(simd, self.offset, self.target, self.equation, angle, branch);
-        let mut q: Angles<S> = seen;
-        if self.offset.reversed {
-            for joint in 0..6 {
-                q[5 - joint] = seen[joint].reversed();
-            }
-        }
+        let mut q = self.joints(simd, angle, branch);
         let errors = newton(simd, self.goal, &mut q);
         pool.add(&q, errors, used, TOLERANCES.closes);
         let kept = q[self.offset.unknown()];
@@ -57,7 +64,7 @@ impl Finish<'_> {
 
 impl Offset {
     /// The joint whose angle is the unknown, from 0, as the caller counts.
-    fn unknown(&self) -> usize {
+    pub(super) fn unknown(&self) -> usize {
         match (self.meets, self.reversed) {
             (Meets::Fourth, false) => 5,
             (Meets::Fourth, true) => 0,
@@ -90,9 +97,6 @@ pub(super) struct Finished {
 /// Radians; see [`polish`]: roots this close are still told apart.
 const POLISHED: f64 = 1e-8;
 
-/// Radians. Roots that noise moves by more are looked at again, with what is around them.
-const SHAKY: f64 = 1e-6;
-
 impl WithSimd for Polish<'_> {
     type Output = Finished;
 
@@ -116,7 +120,7 @@ impl WithSimd for Polish<'_> {
         );
         let zero = Lane::splat(simd, 0.0);
         let symmetric = finish.offset.symmetric;
-        let shaky = Lane::splat(simd, self.sampled.noise / SHAKY);
+        let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky_equation);
         let flat = polished.slope.abs().less(shaky);
         // A step on the equation itself, with the polynomial's slope.
         let value = finish.equation.at(polished.turn).value(symmetric);

@@ -53,11 +53,12 @@ impl Spots {
         }
     }
 
-    /// Adds what is around pairs of roots.
+    /// Adds pairs of roots, and what is around them.
     #[cold]
     pub(super) fn add_pairs(&mut self, candidates: &Candidates) {
-        for pair in &candidates.pairs[..candidates.pair_count] {
-            self.look_around(pair.angle);
+        for &top in &candidates.pairs[..candidates.pair_count] {
+            self.push(top);
+            self.look_around(top);
         }
     }
 

@@ -1,0 +1,172 @@
+//! Two roots of the equation that are nearly one: from the top of their parabola to all joint angles that may be solutions there,
+//! around which the arm itself tells them apart (`fold`).
+
+use pulp::{Simd, WithSimd};
+
+use super::equation::Values;
+use super::finish::Finish;
+use crate::ik::general::fold::Fold;
+use crate::ik::general::lanes::{Lane, Turn};
+use crate::ik::general::newton::{error, newton};
+use crate::ik::general::pool::{Point, Pool, distance, gather, scatter};
+use crate::ik::general::tolerances::TOLERANCES;
+
+/// All solutions that a pair of roots leads to.
+pub(super) struct Pair<'a> {
+    pub(super) finish: &'a Finish<'a>,
+    /// The unknown at the top.
+    pub(super) top: f64,
+    pub(super) pool: &'a mut Pool,
+}
+
+/// Ways from an angle to joint angles: two x', for each two turns of link 3 by either line. Where both lines meet is among them,
+/// and at a double root one of the two may say nothing.
+const WAYS: usize = 8;
+
+/// A start whose error is larger is none.
+const START: f64 = 0.1;
+/// Starts, or tops of folds, that are closer in sines and cosines are one.
+const SAME: f64 = 1e-4;
+
+impl WithSimd for Pair<'_> {
+    /// Whether that is all: a fold, or two solutions that share the angle; for an arm with solutions on both sides of axis 1
+    /// twice as many; or that there are none.
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let finish = self.finish;
+        let angle = self.angle(simd);
+        let at = finish.equation.at(angle);
+        if at.is_far_from_real().any() {
+            // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
+            return true;
+        }
+        let wanted = 1 << u32::from(finish.offset.symmetric);
+        let (mut tried, mut folds, mut lone) = (List::new(), List::new(), Pool::new());
+        for start in self.starts(simd, angle, &at) {
+            if folds.count == wanted {
+                break;
+            }
+            if start.error.is_nan() || start.error >= START || !tried.push(&start.point) {
+                continue;
+            }
+            let fold = Fold {
+                goal: finish.goal,
+                start: &start.point,
+            };
+            if let Some(told) = simd.vectorize(fold) {
+                if self.is_at(&told.top) && folds.push(&told.top) {
+                    told.add_to(self.pool);
+                }
+                continue;
+            }
+            let mut q = gather(simd, &[start.point]);
+            let errors = newton(simd, finish.goal, &mut q);
+            lone.add(&q, errors, 1, TOLERANCES.closes_well);
+        }
+        if folds.count == wanted {
+            return true;
+        }
+        let mut sharing = 0;
+        for (point, &error) in lone.points[..lone.count].iter().zip(&lone.errors) {
+            sharing += usize::from(self.is_at(point));
+            self.pool.insert(point, error);
+        }
+        folds.count == 0 && sharing == 2 * wanted
+    }
+}
+
+/// Joint angles, and the error of their pose.
+#[derive(Clone, Copy)]
+struct Start {
+    point: Point,
+    error: f64,
+}
+
+impl Pair<'_> {
+    /// Whether the unknown is that of the pair.
+    fn is_at(&self, point: &Point) -> bool {
+        let unknown = self.finish.offset.unknown();
+        let (sin, cos) = self.top.sin_cos();
+        let sign = if self.finish.offset.reversed {
+            -1.0
+        } else {
+            1.0
+        };
+        (point[unknown] - cos).hypot(sign * point[6 + unknown] - sin) < TOLERANCES.moved
+    }
+
+    #[inline(always)]
+    fn angle<S: Simd>(&self, simd: S) -> Turn<S> {
+        let (sin, cos) = self.top.sin_cos();
+        Turn {
+            cos: Lane::splat(simd, cos),
+            sin: Lane::splat(simd, sin),
+        }
+    }
+
+    /// Where solutions may be, the closest first.
+    #[inline(always)]
+    fn starts<S: Simd>(&self, simd: S, angle: Turn<S>, at: &Values<S>) -> [Start; WAYS] {
+        let positive = at.distance();
+        let (mut xs, mut turn_cos, mut turn_sin) = ([0.0; WAYS], [0.0; WAYS], [0.0; WAYS]);
+        for (side, x) in [positive, -positive].into_iter().enumerate() {
+            for (k, turn) in at.turns(x).into_iter().enumerate() {
+                let way = 4 * side + k;
+                xs[way] = x.largest();
+                (turn_cos[way], turn_sin[way]) = (turn.cos.largest(), turn.sin.largest());
+            }
+        }
+        let mut out = [Start {
+            point: [0.0; 12],
+            error: f64::INFINITY,
+        }; WAYS];
+        for register in 0..WAYS / S::F64_LANES {
+            let both = Turn {
+                cos: Lane::load(simd, &turn_cos, register),
+                sin: Lane::load(simd, &turn_sin, register),
+            };
+            let branch = at.branch(Lane::load(simd, &xs, register), both);
+            let q = self.finish.joints(simd, angle, &branch);
+            let mut sizes = [0.0; 8];
+            error(simd, self.finish.goal, &q).store(&mut sizes, 0);
+            let points = scatter(&q);
+            for lane in 0..S::F64_LANES {
+                out[register * S::F64_LANES + lane] = Start {
+                    point: points[lane],
+                    error: sizes[lane],
+                };
+            }
+        }
+        out.sort_unstable_by(|a, b| a.error.total_cmp(&b.error));
+        out
+    }
+}
+
+/// Points that are not the same.
+struct List {
+    points: [Point; WAYS],
+    count: usize,
+}
+
+impl List {
+    fn new() -> Self {
+        Self {
+            points: [[0.0; 12]; WAYS],
+            count: 0,
+        }
+    }
+
+    /// Adds a point; false if it is there.
+    fn push(&mut self, point: &Point) -> bool {
+        let known = self.points[..self.count]
+            .iter()
+            .any(|other| distance(other, point) < SAME);
+        if !known {
+            self.points[self.count] = *point;
+            self.count += 1;
+        }
+        !known
+    }
+}

@@ -26,19 +26,22 @@ struct Numeric {
 /// Starts for six joints: enough to meet each of up to sixteen roots several times.
 const STARTS: usize = 300;
 
-/// Starts for more joints: members of families, not isolated roots, are looked for.
-const STARTS_REDUNDANT: usize = 40;
+/// Starts for more joints, and for arms that are singular everywhere: members of families, not isolated roots, are looked for.
+const STARTS_FAMILIES: usize = 40;
 
 /// Below this smallest rate of change of the pose a root may lie on a family.
 const FLAT: f64 = 1e-7;
 
 /// Prepares any arm.
-pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn Prepared>> {
+pub(super) fn prepare(arm: &Arm, structure: &Structure, class: Class) -> Option<Arc<dyn Prepared>> {
     if class != Class::General {
         return None;
     }
     let redundant = arm.chain().dof() > 6;
-    let starts = if redundant { STARTS_REDUNDANT } else { STARTS };
+    let starts = match redundant || structure.singular {
+        true => STARTS_FAMILIES,
+        false => STARTS,
+    };
     Some(Arc::new(Numeric { starts, redundant }))
 }
 

@@ -9,7 +9,7 @@
 use pulp::{Simd, WithSimd};
 
 use super::lanes::Lane;
-use super::newton::{Goal, error, measure, newton, settle};
+use super::newton::{Frame, Goal, error, measure, newton, settle};
 use super::pool::{Point, Pool, gather, scatter};
 use super::tolerances::TOLERANCES;
 
@@ -23,7 +23,7 @@ pub(super) struct Fold<'a, 'b> {
 pub(super) struct Told {
     /// The top of the parabola, where the arm is singular.
     pub(super) top: Point,
-    pub(super) solutions: Pool,
+    solutions: Pool,
 }
 
 impl Told {
@@ -58,14 +58,6 @@ const DISTINCT: f64 = 1e-6;
 
 /// Samples of the curve, enough for the widest register.
 const SAMPLES: usize = 8;
-
-/// The null directions at the start.
-pub(super) struct Frame {
-    /// In the joints: n.
-    pub(super) free: [f64; 6],
-    /// At the end: u.
-    pub(super) left: [f64; 6],
-}
 
 /// The error along u around a point of the curve, by its derivatives.
 struct Parabola {

@@ -29,7 +29,7 @@ pub(super) enum Origin {
 
 impl Origin {
     /// Radians. Where the noise may move a root by more, it may hide others.
-    pub(super) fn shaky(self) -> f64 {
+    fn shaky(self) -> f64 {
         match self {
             Self::Equation => TOLERANCES.shaky_equation,
             _ => TOLERANCES.shaky,

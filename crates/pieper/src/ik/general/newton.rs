@@ -2,7 +2,6 @@
 
 use pulp::Simd;
 
-use super::fold::Frame;
 use super::lanes::{Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, square};
 use super::tolerances::TOLERANCES;
 
@@ -203,6 +202,14 @@ fn solve<S: Simd, const N: usize>(mut a: [[Lane<S>; N]; N], mut r: [Lane<S>; N])
         r[i] = r[i] * a[i][i];
     }
     r
+}
+
+/// The null directions near a fold.
+pub(super) struct Frame {
+    /// In the joints.
+    pub(super) free: [f64; 6],
+    /// At the end.
+    pub(super) left: [f64; 6],
 }
 
 /// Moves every lane to where the error of the pose is along `frame.left` alone, at a distance `along` along `frame.free`.

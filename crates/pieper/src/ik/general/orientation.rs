@@ -11,12 +11,11 @@ use nalgebra::{Complex, Matrix3, Vector3};
 use pulp::{Simd, WithSimd};
 
 use super::isolate::{CANDIDATES, Candidates, Origin, isolate};
-use super::lanes::{Lane, Turn};
 use super::newton::{Goal, newton};
 use super::polynomial::{Sampled, transform};
-use super::pool::{Point, Pool};
+use super::pool::{Point, Pool, gather};
 use super::random::Random;
-use super::refine::{POLISHED, polish};
+use super::refine::polish;
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
 use super::tolerances::TOLERANCES;
@@ -303,14 +302,7 @@ impl WithSimd for Isolate<'_> {
             candidates,
         );
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            let polished = polish(
-                simd,
-                self.tables,
-                polynomial,
-                candidates,
-                register,
-                POLISHED,
-            );
+            let polished = polish(simd, self.tables, polynomial, candidates, register);
             polished.turn.cos.store(cos, register);
             polished.turn.sin.store(sin, register);
         }
@@ -332,28 +324,14 @@ impl WithSimd for Improve<'_, '_> {
         let mut good = false;
         // Two lanes hold both ways; a processor without any takes one after the other.
         for first in (0..2).step_by(S::F64_LANES.min(2)) {
-            let mut lists = [[0.0; 8]; 12];
-            for (place, list) in lists.iter_mut().enumerate() {
-                for (lane, slot) in list.iter_mut().enumerate() {
-                    *slot = self.starts[(first + lane) % 2][place];
-                }
-            }
-            let zero = Lane::splat(simd, 0.0);
-            let mut q = [Turn {
-                cos: zero,
-                sin: zero,
-            }; 6];
-            for (joint, turn) in q.iter_mut().enumerate() {
-                turn.cos = Lane::load(simd, &lists[joint], 0);
-                turn.sin = Lane::load(simd, &lists[6 + joint], 0);
-            }
+            let mut q = gather(simd, &self.starts[first..]);
             let start = q[self.kept];
             let errors = newton(simd, self.goal, &mut q);
             let (x, y) = (q[self.kept].cos - start.cos, q[self.kept].sin - start.sin);
             let close = x
                 .mul_add(x, y * y)
-                .less(zero.constant(TOLERANCES.moved * TOLERANCES.moved));
-            let closes = errors.less(zero.constant(TOLERANCES.closes));
+                .less(x.constant(TOLERANCES.moved * TOLERANCES.moved));
+            let closes = errors.less(x.constant(TOLERANCES.closes));
             good |= close.and(closes).any();
             self.pool
                 .add(&q, errors, S::F64_LANES.min(2), TOLERANCES.closes);

@@ -19,7 +19,10 @@ pub(super) struct Polished<S: Simd> {
 /// Newton steps at most; the last ones only for intervals that had to be halved.
 const STEPS: usize = 12;
 
-/// The roots of the candidates in register `register`, by steps of which the last is shorter than `polished`, radians.
+/// Radians: the last step is shorter. Roots this close are still told apart.
+const POLISHED: f64 = 1e-8;
+
+/// The roots of the candidates in register `register`.
 #[inline(always)]
 pub(super) fn polish<S: Simd>(
     simd: S,
@@ -27,7 +30,6 @@ pub(super) fn polish<S: Simd>(
     polynomial: &Trigonometric,
     candidates: &Candidates,
     register: usize,
-    polished: f64,
 ) -> Polished<S> {
     let (mut cos, mut sin) = ([1.0; CANDIDATES], [0.0; CANDIDATES]);
     for k in 0..candidates.count.next_multiple_of(8).min(CANDIDATES) {
@@ -60,15 +62,12 @@ pub(super) fn polish<S: Simd>(
         at = next;
         turn = local(middle, at);
         (value, slope) = evaluate(polynomial, turn);
-        if moved.largest() < polished {
+        if moved.largest() < POLISHED {
             break;
         }
     }
     Polished { turn, slope, most }
 }
-
-/// A step in radians after which the next one, by quadratic convergence, is at the noise of an elimination's coefficients.
-pub(super) const POLISHED: f64 = 1e-8;
 
 /// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.
 #[inline(always)]

@@ -12,7 +12,7 @@ use super::newton::{Angles, Goal, newton};
 use super::number::Double;
 use super::polynomial::{Sampled, sample};
 use super::pool::{Point, Pool, scatter};
-use super::refine::{POLISHED, polish};
+use super::refine::polish;
 use super::resultant::{self, Form, Reduced};
 use super::tables::Tables;
 use super::tolerances::TOLERANCES;
@@ -330,7 +330,6 @@ impl WithSimd for Finish<'_, '_> {
             polynomial,
             self.candidates,
             self.register,
-            POLISHED,
         );
         let zero = Lane::splat(simd, 0.0);
         let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky);

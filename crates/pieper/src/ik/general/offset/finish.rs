@@ -94,9 +94,6 @@ pub(super) struct Finished {
     pub(super) expected: usize,
 }
 
-/// Radians; see [`polish`]: roots this close are still told apart.
-const POLISHED: f64 = 1e-8;
-
 impl WithSimd for Polish<'_> {
     type Output = Finished;
 
@@ -116,7 +113,6 @@ impl WithSimd for Polish<'_> {
             &self.sampled.polynomial,
             candidates,
             register,
-            POLISHED,
         );
         let zero = Lane::splat(simd, 0.0);
         let symmetric = finish.offset.symmetric;

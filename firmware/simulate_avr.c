@@ -15,6 +15,8 @@
 
 #define SERVOS 6
 #define HERTZ 16000000UL
+/* The seconds of the board's time between two looks at the line. */
+#define LONGEST_TURN 0.005
 
 static avr_t *avr;
 static uint8_t output[4096];
@@ -105,14 +107,16 @@ int main(int argc, char **argv)
     ssize_t have = 0, given = 0;
     double begun = seconds();
     for (;;) {
-        /* As many cycles as time has passed, in steps of a fifth of a millisecond. Where this computer is too busy for that, the board's
-         * time goes slower, as if it had not been owed: a board that hurries after the time would hear of the past only. */
+        /* As many cycles as time has passed, in steps of a fifth of a millisecond. Where this computer is too slow or too busy for that,
+         * the board's time goes slower, as if it had not been owed: a board that hurries after the time would hear of the past only. What is
+         * owed is fixed before the cycles are run: a computer that only just keeps up would else never come to the line. */
         double owed = seconds() - begun - (double)avr->cycle / HERTZ;
-        if (owed > 0.005)
-            begun += owed - 0.005;
-        while ((double)avr->cycle < (seconds() - begun) * HERTZ) {
-            if (seconds() - begun - (double)avr->cycle / HERTZ > 0.02)
-                break;
+        if (owed > LONGEST_TURN) {
+            begun += owed - LONGEST_TURN;
+            owed = LONGEST_TURN;
+        }
+        uint64_t until = avr->cycle + (owed > 0 ? (uint64_t)(owed * HERTZ) : 0);
+        while (avr->cycle < until) {
             uint64_t end = avr->cycle + HERTZ / 5000;
             while (avr->cycle < end) {
                 if (given < have && !is_full)

@@ -152,13 +152,19 @@ pub(crate) fn run(python: &Python, source: String, host: Arc<dyn Host>) -> Resul
     }
     drop(tell);
     let console = Arc::clone(&host);
-    std::thread::spawn(move || coalesce(&told, &*console));
+    let (finish, shown) = sync_channel(1);
+    std::thread::spawn(move || {
+        coalesce(&told, &*console);
+        // Nobody waits any more where something the script left behind held its output open.
+        let _ = finish.send(());
+    });
     let serving = Serving {
         source,
         started: Instant::now(),
         stopped: Arc::clone(&running.stopped),
         alarm: Arc::clone(&running.alarm),
         host,
+        shown,
         failed: None,
     };
     let done = Arc::clone(&running.done);
@@ -187,7 +193,7 @@ fn listen(
 
 /// Output in pieces, and no more than a megabyte of it.
 fn coalesce(told: &Receiver<(&'static str, Vec<u8>)>, host: &dyn Host) {
-    let mut left = MOST_OUTPUT;
+    let (mut left, mut is_said) = (MOST_OUTPUT, false);
     let mut waiting: Vec<(&'static str, Vec<u8>)> = Vec::new();
     let mut since = Instant::now();
     let flush = |waiting: &mut Vec<(&'static str, Vec<u8>)>| {
@@ -199,19 +205,21 @@ fn coalesce(told: &Receiver<(&'static str, Vec<u8>)>, host: &dyn Host) {
         match told.recv_timeout(COALESCE) {
             Ok((stream, mut bytes)) => {
                 let kept = bytes.len().min(left);
-                if kept < bytes.len() && left > 0 {
-                    flush(&mut waiting);
-                    host.console(
-                        "note",
-                        "(the script has written a megabyte: further output is not shown)\n",
-                    );
-                }
+                let is_cut = kept < bytes.len();
                 bytes.truncate(kept);
                 left -= kept;
                 match waiting.last_mut() {
                     Some((last, text)) if *last == stream => text.extend(bytes),
                     _ if kept > 0 => waiting.push((stream, bytes)),
                     _ => {}
+                }
+                if is_cut && !is_said {
+                    is_said = true;
+                    flush(&mut waiting);
+                    host.console(
+                        "note",
+                        "(the script has written a megabyte: further output is not shown)\n",
+                    );
                 }
                 if since.elapsed() >= COALESCE {
                     flush(&mut waiting);
@@ -231,6 +239,8 @@ struct Serving {
     stopped: Arc<AtomicBool>,
     alarm: Arc<(Mutex<()>, Condvar)>,
     host: Arc<dyn Host>,
+    /// Says that all output was shown.
+    shown: Receiver<()>,
     failed: Option<(Option<u32>, String)>,
 }
 
@@ -276,6 +286,8 @@ impl Serving {
             (None, false, None) => "was killed".to_owned(),
         };
         let failed = self.failed.take();
+        // Its last words come before the word that it has ended.
+        let _ = self.shown.recv_timeout(GRACE);
         self.host
             .with(&mut |session| session.script_ended(failed.clone(), &ended));
     }
@@ -350,4 +362,41 @@ fn wait(child: &mut Child, group: Pid) -> Option<i32> {
     }
     let _ = kill_process_group(group, Signal::KILL);
     child.wait().ok().and_then(|status| status.code())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a window would show.
+    #[derive(Default)]
+    struct Shown(Mutex<Vec<(&'static str, String)>>);
+
+    impl Host for Shown {
+        fn with(&self, _: &mut dyn FnMut(&mut Session)) {}
+
+        fn console(&self, stream: &'static str, text: &str) {
+            self.0.lock().unwrap().push((stream, text.to_owned()));
+        }
+    }
+
+    /// A megabyte and no more, then once a word about it, wherever the pieces happen to end.
+    #[test]
+    fn output_beyond_a_megabyte_is_cut_with_a_word() {
+        for (piece, count, notes) in [(8192, 128, 0), (8192, 200, 1), (8191, 200, 1)] {
+            let (tell, told) = sync_channel(count);
+            for _ in 0..count {
+                tell.send(("out", vec![b'y'; piece])).unwrap();
+            }
+            drop(tell);
+            let shown = Shown::default();
+            coalesce(&told, &shown);
+            let list = shown.0.into_inner().unwrap();
+            let (said, out): (Vec<_>, Vec<_>) =
+                list.iter().partition(|(stream, _)| *stream == "note");
+            let length: usize = out.iter().map(|(_, text)| text.len()).sum();
+            assert_eq!((length, said.len()), (MOST_OUTPUT, notes), "{piece}");
+            assert!(notes == 0 || list.last().unwrap().0 == "note", "{piece}");
+        }
+    }
 }

@@ -113,7 +113,7 @@ impl Structure {
 /// Measures an arm's axes.
 ///
 /// # Errors
-/// A model error for a chain of more than [`MAX_JOINTS`](super::MAX_JOINTS) joints.
+/// A model error for a chain of more than [`MAX_JOINTS`] joints.
 pub fn structure(chain: &Chain) -> Result<Structure> {
     Ok(of(&Arm::new(chain)?))
 }

@@ -139,6 +139,10 @@ pub(super) const STEADY: f64 = 0.1;
 /// of what counts as rounding.
 pub(super) const MERGED: f64 = 0.5 * super::TOLERANCES.rounding;
 
+/// The same where the distance is known better, and both ways to bend are told apart as soon as they can be: a wrist that is nearly
+/// straight makes much of a small turn of the elbow.
+pub(super) const ONE: f64 = super::TOLERANCES.one;
+
 /// A miss of the class by `s` moves a dimensionless square by a few `s`.
 const SLACK_REACH: f64 = 16.0;
 

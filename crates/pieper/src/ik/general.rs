@@ -28,6 +28,7 @@ mod fold;
 mod isolate;
 mod lanes;
 mod line;
+mod list;
 mod newton;
 mod number;
 mod offset;

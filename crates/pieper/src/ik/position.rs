@@ -1,6 +1,8 @@
 //! Three joints that turn bring a point to a place: Pieper's equations (Pieper 1968).
 
-use super::angle::{MERGED, Roots, STEADY, back, length, solve_linear, turn_between, turned, unit};
+use super::angle::{
+    MERGED, ONE, Roots, STEADY, back, length, solve_linear, turn_between, turned, unit,
+};
 use super::normal::Normal;
 use super::polynomial::{Linear, Quadratic};
 use super::reason::Part;
@@ -436,7 +438,7 @@ impl Problem {
         if forward.edge && (beside.is_nan() || beside < -MERGED) {
             return None;
         }
-        let merged = near && beside <= MERGED;
+        let merged = near && beside <= ONE;
         let forward = match merged {
             true => [0.0; 2],
             false => [forward.values[0] * scale, forward.values[1] * scale],

@@ -139,9 +139,9 @@ struct Bends {
 }
 
 impl Bends {
-    /// Distances of up to `merged` are none.
+    /// A distance of up to `merged` the other way is none, and one of up to `one` makes both ways the same.
     #[inline(always)]
-    fn new(square: Wide, beyond: Wide, within: Wide, merged: f64) -> Self {
+    fn new(square: Wide, beyond: Wide, within: Wide, merged: f64, one: f64) -> Self {
         let mut out = Self {
             square,
             there: [[true; FOUR]; 2],
@@ -160,7 +160,7 @@ impl Bends {
             let gap = if beyond < within { beyond } else { within };
             out.near[k] = square.0[k] <= EDGE;
             out.there[0][k] = square.0[k] > EDGE || gap >= -merged;
-            out.there[1][k] = square.0[k] > EDGE || gap > merged;
+            out.there[1][k] = square.0[k] > EDGE || gap > one;
             out.square.0[k] = if out.there[1][k] { square.0[k] } else { 0.0 };
         }
         out

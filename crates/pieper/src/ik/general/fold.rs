@@ -61,7 +61,6 @@ const SAMPLES: usize = 8;
 
 /// The error along u around a point of the curve, by its derivatives.
 struct Parabola {
-    value: f64,
     slope: f64,
     bend: f64,
 }
@@ -85,13 +84,14 @@ impl WithSimd for Fold<'_, '_> {
         if !(is_parabola && vague < VAGUE * VAGUE) {
             return None;
         }
-        let lowest = near.value - 0.5 * near.slope * near.slope / near.bend;
+        // Measured there, since what is no parabola moves the smallest value of one that was fitted beside.
+        let (point, lowest) = self.point(simd, &frame, top);
         let square = -2.0 * lowest / near.bend;
         if square.abs() > TOLERANCES.beside * TOLERANCES.beside {
             return None;
         }
         let mut told = Told {
-            top: self.point(simd, &frame, top),
+            top: point,
             solutions: Pool::new(),
         };
         if square < -2.0 * (BIAS / near.bend).abs() {
@@ -134,13 +134,13 @@ impl Fold<'_, '_> {
         (measured.sigma.largest() < FAR).then_some(Frame { free, left })
     }
 
-    /// The point of the curve at a distance.
+    /// The point of the curve at a distance, and the error there.
     #[inline(always)]
-    fn point<S: Simd>(&self, simd: S, frame: &Frame, along: f64) -> Point {
+    fn point<S: Simd>(&self, simd: S, frame: &Frame, along: f64) -> (Point, f64) {
         let mut q = gather(simd, &[*self.start]);
         let at = Lane::splat(simd, along);
-        settle(simd, self.goal, frame, &mut q, at, STEPS, SETTLED);
-        scatter(&q)[0]
+        let (error, _) = settle(simd, self.goal, frame, &mut q, at, STEPS, SETTLED);
+        (scatter(&q)[0], error.largest())
     }
 
     /// Samples the curve at distances around `middle`; nothing if they are on no curve.
@@ -161,7 +161,6 @@ impl Fold<'_, '_> {
         }
         let [value, right, left, ..] = errors;
         Some(Parabola {
-            value,
             slope: (right - left) / (2.0 * spacing),
             bend: (right + left - 2.0 * value) / (spacing * spacing),
         })

@@ -168,15 +168,6 @@ impl<S: Simd> Mask<S> {
         Self { value, ..self }
     }
 
-    /// In how many of the first lanes it holds.
-    #[inline(always)]
-    pub(super) fn count(self, lanes: usize) -> usize {
-        let (one, zero) = (Lane::splat(self.simd, 1.0), Lane::splat(self.simd, 0.0));
-        let mut list = [0.0; 8];
-        self.pick(one, zero).store(&mut list, 0);
-        list[..lanes].iter().filter(|&&x| x > 0.0).count()
-    }
-
     /// Whether it holds in some lane.
     #[inline(always)]
     pub(super) fn any(self) -> bool {

@@ -16,8 +16,10 @@
 mod back;
 mod equation;
 mod finish;
+mod local;
 mod magnify;
 mod pair;
+mod zoom;
 
 use pulp::{Simd, WithSimd};
 
@@ -29,12 +31,14 @@ use super::pool::Pool;
 use super::random::Random;
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
+use super::tolerances::TOLERANCES;
 use crate::ik::normal::Normal;
 use crate::spatial::{Pose, sin_cos_exact};
 use equation::{Equation, Plane};
-use finish::{Finish, Polish};
+use finish::{Close, Finish, Followed, Polish};
 use magnify::{Magnify, Search, Spots};
 use pair::Pair;
+use zoom::{Sight, Zoom};
 
 /// Which neighbour axis 5 meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +64,7 @@ pub(super) struct Offset {
     along: [f64; 2],
     /// Whether a half turn of joint 1 leads from every solution to another.
     symmetric: bool,
+    local: Box<local::Tables>,
 }
 
 /// What the equation says of one target.
@@ -69,6 +74,8 @@ pub(super) struct Found {
     pub(super) pairs: usize,
 }
 
+/// Radians: how far to the sides of a pair that was not told apart its roots are sought.
+const BESIDE: f64 = 1e-2;
 /// Targets on which the symmetry is tested.
 const TRIALS: usize = 8;
 const SEED: u64 = 0x6f66_6673;
@@ -111,6 +118,7 @@ impl Offset {
             zeros: [shoulder.phi, shoulder.psi + upper.phi, upper.psi].map(sin_cos_exact),
             along: [crossing.d, -crossing.e],
             symmetric: false,
+            local: Box::new(local::Tables::new()),
         };
         offset.symmetric = offset.is_symmetric();
         Some(offset)
@@ -177,7 +185,7 @@ impl Offset {
         });
         let mut doubt = Doubt {
             near_miss: candidates.unsure,
-            drowned: candidates.drowned,
+            drowned: false,
             noise: sampled.noise,
             alone: None,
         };
@@ -187,37 +195,94 @@ impl Offset {
             target: &target,
             equation: &equation,
         };
-        let (before, mut expected) = (pool.count, 0);
-        let mut spots = Spots::new(&candidates);
+        let mut followed = Followed::new();
+        let mut windows = zoom::drowned(&candidates);
         for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            let finished = simd.vectorize(Polish {
+            simd.vectorize(Polish {
                 finish: &finish,
                 tables,
                 sampled: &sampled,
                 candidates: &candidates,
                 register,
                 pool,
-                spots: &mut spots,
+                followed: &mut followed,
+                windows: &mut windows,
             });
-            doubt.drowned |= finished.doubtful;
-            expected += finished.expected;
         }
-        // Two roots that lead to the same solution are one root found twice, and another lost.
-        doubt.drowned |= pool.count != before + expected;
+        let mut simple = std::mem::take(&mut pool.hit);
         for &top in &candidates.pairs[..candidates.pair_count] {
-            doubt.drowned |= !simd.vectorize(Pair {
+            let told = simd.vectorize(Pair {
                 finish: &finish,
                 top,
+                within: TOLERANCES.moved,
                 pool,
             });
+            if !told {
+                windows.add_around(top, BESIDE);
+            }
         }
-        if doubt.drowned {
-            spots.add_pairs(&candidates);
-            simd.vectorize(Magnify {
+        let mut sight = Sight::new();
+        let polished = followed.count;
+        let mut close = true;
+        if !windows.is_empty() {
+            simd.vectorize(Zoom {
                 equation: &equation,
                 symmetric: self.symmetric,
-                spots: &mut spots,
+                tables: &self.local,
+                windows: &windows,
+                sight: &mut sight,
             });
+            for index in 0..sight.tops.len() {
+                let top = sight.tops[index];
+                let told = simd.vectorize(Pair {
+                    finish: &finish,
+                    top,
+                    within: TOLERANCES.moved.min(0.5 * sight.nearest(index)),
+                    pool,
+                });
+                if !told {
+                    sight.dark.push((top - BESIDE, top + BESIDE));
+                }
+            }
+            let paired = std::mem::take(&mut pool.hit);
+            for register in 0..sight.roots.len().div_ceil(S::F64_LANES) {
+                close &= simd.vectorize(Close {
+                    finish: &finish,
+                    roots: &sight.roots,
+                    register,
+                    pool,
+                    followed: &mut followed,
+                });
+            }
+            simple |= std::mem::replace(&mut pool.hit, paired);
+        }
+        pool.hit |= simple;
+        // Fewer, and two roots that lead to the same solution are one root found twice, and another lost; an odd number, and one was
+        // not seen.
+        let is_seen = |k: usize, angle: f64| {
+            if k < polished {
+                !windows.hold(angle)
+            } else {
+                sight.roots[k - polished].inside
+            }
+        };
+        let (roots, expected) = followed.count(is_seen);
+        let whole = simple.count_ones() as usize == expected && roots.is_multiple_of(2);
+        doubt.drowned =
+            !sight.is_clear() || windows.overflowed || followed.unsure || !close || !whole;
+        if doubt.drowned {
+            let angles = followed.angles[..followed.count].iter();
+            let tops = candidates.pairs[..candidates.pair_count].iter();
+            let more = sight.tops.iter();
+            let mut spots = Spots::new(angles.chain(tops).chain(more).copied());
+            for windows in [&sight.dark, &windows] {
+                simd.vectorize(Magnify {
+                    equation: &equation,
+                    symmetric: self.symmetric,
+                    windows,
+                    spots: &mut spots,
+                });
+            }
             for register in 0..spots.count.div_ceil(S::F64_LANES) {
                 simd.vectorize(Search {
                     finish: &finish,

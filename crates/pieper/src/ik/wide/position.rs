@@ -2,7 +2,7 @@
 
 use super::{Bends, FOUR, Sines, Task, Wide, back, product, turned};
 use crate::ik::TOLERANCES;
-use crate::ik::angle::{AWAY, MERGED};
+use crate::ik::angle::{AWAY, MERGED, ONE};
 
 /// Pieper's equations where axes 2 and 3 are parallel, once it is known how far the point is from axis 2: reaching forward
 /// or back, with the elbow bent either way.
@@ -65,7 +65,13 @@ impl Task for Folding {
             .times(within.times(reach.mul_add(one, all(short))));
         let by = 2.0 * long_side * short_side;
         let square = area.times(all(1.0 / (by * by)));
-        let bends = Bends::new(square, beyond, within, MERGED * self.scale);
+        let bends = Bends::new(
+            square,
+            beyond,
+            within,
+            MERGED * self.scale,
+            ONE * self.scale,
+        );
         let square = bends.square;
         let cosine = reach.mul_add(reach, all(-long_side * long_side - short_side * short_side));
         let cosine = cosine.times(all(1.0 / by));

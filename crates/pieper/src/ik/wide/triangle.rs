@@ -118,7 +118,7 @@ impl Task for Closing<'_> {
         let square = area.times(all(1.0 / (4.0 * one * one * two * two)));
         let cosine = reach.mul_add(reach, all(-one * one - two * two));
         let cosine = cosine.times(all(0.5 / (one * two)));
-        let bends = Bends::new(square, beyond, within, MERGED * long);
+        let bends = Bends::new(square, beyond, within, MERGED * long, MERGED * long);
         let mut clear = [false; FOUR];
         let lengths = [
             product(y[0], y[0], y[1], y[1]),

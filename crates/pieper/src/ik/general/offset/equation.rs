@@ -14,6 +14,7 @@ use pulp::Simd;
 
 use super::Meets;
 use crate::ik::general::lanes::{Lane, Mask, Rigid, Turn};
+use crate::ik::general::random::Random;
 
 /// The first three joints: common normals of axes 1 and 2, 2 and 3, and the angle at which the two axes meet.
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +121,21 @@ impl Equation {
             inner_place,
             inner_axis,
         }
+    }
+
+    /// The same with all numbers changed a little, some up and some down.
+    pub(super) fn moved(&self, by: f64, random: &mut Random) -> Self {
+        let mut moved = self.clone();
+        let parts = [
+            &mut moved.place,
+            &mut moved.axis,
+            &mut moved.inner_place,
+            &mut moved.inner_axis,
+        ];
+        for number in parts.into_iter().flatten().flatten() {
+            *number += by * random.signed();
+        }
+        moved
     }
 
     /// The equation at an angle.

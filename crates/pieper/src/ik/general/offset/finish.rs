@@ -3,9 +3,9 @@
 use pulp::{Simd, WithSimd};
 
 use super::equation::{Branch, Equation};
-use super::magnify::Spots;
+use super::zoom::{ROOTS, Sighting, Windows};
 use super::{Meets, Offset, back};
-use crate::ik::general::isolate::Candidates;
+use crate::ik::general::isolate::{CANDIDATES, Candidates};
 use crate::ik::general::lanes::{Lane, Mask, Rigid, Turn, square};
 use crate::ik::general::newton::{Angles, Goal, newton};
 use crate::ik::general::polynomial::Sampled;
@@ -74,6 +74,95 @@ impl Offset {
     }
 }
 
+/// Roots of the equation that were followed to solutions.
+pub(super) struct Followed {
+    pub(super) count: usize,
+    pub(super) angles: [f64; FOLLOWED],
+    /// How many solutions each should lead to.
+    solutions: [u8; FOLLOWED],
+    /// The number of solutions of some could not be told.
+    pub(super) unsure: bool,
+}
+
+/// Most roots: those of the polynomial, and those at close range.
+const FOLLOWED: usize = CANDIDATES + ROOTS;
+
+impl Followed {
+    pub(super) fn new() -> Self {
+        Self {
+            count: 0,
+            angles: [0.0; FOLLOWED],
+            solutions: [0; FOLLOWED],
+            unsure: false,
+        }
+    }
+
+    /// The number of the roots that are to be counted, and of their solutions.
+    pub(super) fn count(&self, is_counted: impl Fn(usize, f64) -> bool) -> (usize, usize) {
+        let mut counts = (0, 0);
+        for k in 0..self.count {
+            if is_counted(k, self.angles[k]) {
+                counts.0 += 1;
+                counts.1 += usize::from(self.solutions[k]);
+            }
+        }
+        counts
+    }
+}
+
+/// Roots in lanes.
+pub(super) struct Simple<S: Simd> {
+    pub(super) turn: Turn<S>,
+    /// Of the equation, per radian.
+    pub(super) slope: Lane<S>,
+    /// Radians: the longest step that the equation itself may add.
+    pub(super) most: Lane<S>,
+    /// How many lanes are in use.
+    pub(super) used: usize,
+}
+
+impl Finish<'_> {
+    /// Follows simple roots; those that lead to no solution although they should.
+    #[inline(always)]
+    pub(super) fn follow<S: Simd>(
+        &self,
+        simd: S,
+        roots: &Simple<S>,
+        pool: &mut Pool,
+        followed: &mut Followed,
+    ) -> Mask<S> {
+        let zero = Lane::splat(simd, 0.0);
+        let symmetric = self.offset.symmetric;
+        // A step on the equation itself.
+        let value = self.equation.at(roots.turn).value(symmetric);
+        let step = -(value / roots.slope);
+        let usable = step.abs().less(roots.most);
+        let angle = roots.turn.advanced(usable.pick(step, zero));
+        let at = self.equation.at(angle);
+        // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
+        let (real, unsure) = at.is_real();
+        let x = at.first(symmetric);
+        let mut good = self.solve(simd, angle, &at.branch(x, at.turn(x)), roots.used, pool);
+        if symmetric {
+            let branch = at.branch(-x, at.turn(-x));
+            good = good.and(self.solve(simd, angle, &branch, roots.used, pool));
+        }
+        let (mut cos, mut sin, mut solutions) = ([0.0; 8], [0.0; 8], [0.0; 8]);
+        // Where they were seen: a step from a flat root may lead anywhere.
+        roots.turn.cos.store(&mut cos, 0);
+        roots.turn.sin.store(&mut sin, 0);
+        let each = Lane::splat(simd, if symmetric { 2.0 } else { 1.0 });
+        real.pick(each, zero).store(&mut solutions, 0);
+        for lane in 0..roots.used.min(FOLLOWED - followed.count) {
+            followed.angles[followed.count] = sin[lane].atan2(cos[lane]);
+            followed.solutions[followed.count] = solutions[lane] as u8;
+            followed.count += 1;
+        }
+        followed.unsure |= unsure.any();
+        real.and_not(good)
+    }
+}
+
 /// From the polynomial's candidates to solutions, one register of them.
 pub(super) struct Polish<'a> {
     pub(super) finish: &'a Finish<'a>,
@@ -82,31 +171,21 @@ pub(super) struct Polish<'a> {
     pub(super) candidates: &'a Candidates,
     pub(super) register: usize,
     pub(super) pool: &'a mut Pool,
-    /// Where the roots are, should a closer look be needed.
-    pub(super) spots: &'a mut Spots,
+    pub(super) followed: &'a mut Followed,
+    /// Gets what is around roots that may not be all there is.
+    pub(super) windows: &'a mut Windows,
 }
 
-/// What became of the candidates of one register.
-pub(super) struct Finished {
-    /// Whether solutions may have been missed.
-    pub(super) doubtful: bool,
-    /// How many solutions there should be.
-    pub(super) expected: usize,
-}
+/// Radians to both sides of a root that was not cleared up: at least, and at most.
+const AROUND: f64 = 1e-2;
+const FARTHEST: f64 = 0.05;
 
 impl WithSimd for Polish<'_> {
-    type Output = Finished;
+    type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Finished {
-        let Self {
-            finish,
-            candidates,
-            register,
-            pool,
-            spots,
-            ..
-        } = self;
+    fn with_simd<S: Simd>(self, simd: S) {
+        let (candidates, register) = (self.candidates, self.register);
         let polished = polish(
             simd,
             self.tables,
@@ -114,29 +193,73 @@ impl WithSimd for Polish<'_> {
             candidates,
             register,
         );
-        let zero = Lane::splat(simd, 0.0);
-        let symmetric = finish.offset.symmetric;
         let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky_equation);
         let flat = polished.slope.abs().less(shaky);
-        // A step on the equation itself, with the polynomial's slope.
-        let value = finish.equation.at(polished.turn).value(symmetric);
-        let step = -(value * Lane::splat(simd, self.sampled.scale) / polished.slope);
-        let usable = step.abs().less(polished.most);
-        let angle = polished.turn.advanced(usable.pick(step, zero));
-        let at = finish.equation.at(angle);
-        // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
-        let (real, unsure) = at.is_real();
-        let used = (candidates.count - register * S::F64_LANES).min(S::F64_LANES);
-        let x = at.first(symmetric);
-        let mut good = finish.solve(simd, angle, &at.branch(x, at.turn(x)), used, pool);
-        if symmetric {
-            let branch = at.branch(-x, at.turn(-x));
-            good = good.and(finish.solve(simd, angle, &branch, used, pool));
+        let roots = Simple {
+            turn: polished.turn,
+            slope: polished.slope * Lane::splat(simd, 1.0 / self.sampled.scale),
+            most: polished.most,
+            used: (candidates.count - register * S::F64_LANES).min(S::F64_LANES),
+        };
+        let first = self.followed.count;
+        let lost = self.finish.follow(simd, &roots, self.pool, self.followed);
+        let doubtful = flat.or(lost);
+        if doubtful.any() {
+            // As far as noise may have moved it.
+            let reach = (roots
+                .slope
+                .constant(TOLERANCES.drowned * self.sampled.noise)
+                / polished.slope.abs())
+            .max(roots.slope.constant(AROUND))
+            .min(roots.slope.constant(FARTHEST));
+            let mut reaches = [0.0; 8];
+            let zero = Lane::splat(simd, 0.0);
+            doubtful.pick(reach, zero).store(&mut reaches, 0);
+            for k in first..self.followed.count {
+                if reaches[k - first] > 0.0 {
+                    let angle = self.followed.angles[k];
+                    self.windows.add_around(angle, reaches[k - first]);
+                }
+            }
         }
-        spots.add(angle, flat.or(real.and_not(good)), used);
-        Finished {
-            doubtful: flat.or(unsure).any() | real.and_not(good).any(),
-            expected: real.count(used) << u32::from(symmetric),
+    }
+}
+
+/// From roots at close range to solutions, one register of them.
+pub(super) struct Close<'a> {
+    pub(super) finish: &'a Finish<'a>,
+    pub(super) roots: &'a [Sighting],
+    pub(super) register: usize,
+    pub(super) pool: &'a mut Pool,
+    pub(super) followed: &'a mut Followed,
+}
+
+impl WithSimd for Close<'_> {
+    /// Whether all of them led to solutions.
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let (mut cos, mut sin) = ([1.0; 8], [0.0; 8]);
+        let (mut slope, mut room) = ([1.0; 8], [0.0; 8]);
+        let first = self.register * S::F64_LANES;
+        let used = (self.roots.len() - first).min(S::F64_LANES);
+        for lane in 0..S::F64_LANES {
+            // The last one in all lanes that are left.
+            let root = &self.roots[first + lane.min(used - 1)];
+            (sin[lane], cos[lane]) = root.angle.sin_cos();
+            (slope[lane], room[lane]) = (root.slope, root.room);
         }
+        let roots = Simple {
+            turn: Turn {
+                cos: Lane::load(simd, &cos, 0),
+                sin: Lane::load(simd, &sin, 0),
+            },
+            slope: Lane::load(simd, &slope, 0),
+            most: Lane::load(simd, &room, 0),
+            used,
+        };
+        let lost = self.finish.follow(simd, &roots, self.pool, self.followed);
+        !lost.any()
     }
 }

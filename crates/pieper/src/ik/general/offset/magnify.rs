@@ -1,79 +1,35 @@
-//! The equation through a magnifying glass: where its polynomial drowns in rounding, it is sampled itself, closer and closer
-//! around sign changes and around the smallest values.
-
-use std::f64::consts::TAU;
+//! The last resort: where looks at the equation did not tell how many roots there are, it is sampled closer and closer around sign changes
+//! and around the smallest values, to the last digit; and everything that it allows there is tried.
 
 use pulp::{Simd, WithSimd};
 
 use super::equation::Equation;
 use super::finish::Finish;
-use crate::ik::general::isolate::{Candidates, WINDOWS};
-use crate::ik::general::lanes::{Lane, Mask, Turn};
+use crate::ik::general::lanes::{Lane, Turn};
 use crate::ik::general::pool::Pool;
 use crate::ik::general::refine::local;
 
-/// Most places to look at: the roots of the polynomial, and what is found in windows.
+/// Most places to look at.
 const SPOTS: usize = 64;
 
 /// Places where the equation is zero or as good as zero.
 pub(super) struct Spots {
-    windows: [(f64, f64); WINDOWS],
-    window_count: usize,
     pub(super) count: usize,
     cos: [f64; SPOTS],
     sin: [f64; SPOTS],
 }
 
 impl Spots {
-    /// None yet, and the windows in which they are sought.
-    pub(super) fn new(candidates: &Candidates) -> Self {
-        Self {
-            windows: candidates.windows,
-            window_count: candidates.window_count,
+    pub(super) fn new(angles: impl Iterator<Item = f64>) -> Self {
+        let mut spots = Self {
             count: 0,
             cos: [1.0; SPOTS],
             sin: [0.0; SPOTS],
-        }
-    }
-
-    /// Adds the angles of the first lanes, some of them with what is around them.
-    #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, angle: Turn<S>, around: Mask<S>, used: usize) {
-        let (one, zero) = (angle.cos.constant(1.0), angle.cos.constant(0.0));
-        let (mut cos, mut sin, mut wide) = ([0.0; 8], [0.0; 8], [0.0; 8]);
-        angle.cos.store(&mut cos, 0);
-        angle.sin.store(&mut sin, 0);
-        around.pick(one, zero).store(&mut wide, 0);
-        for lane in 0..used.min(SPOTS - self.count) {
-            (self.cos[self.count], self.sin[self.count]) = (cos[lane], sin[lane]);
-            self.count += 1;
-            if wide[lane] > 0.0 {
-                self.look_around(sin[lane].atan2(cos[lane]));
-            }
-        }
-    }
-
-    /// Adds pairs of roots, and what is around them.
-    #[cold]
-    pub(super) fn add_pairs(&mut self, candidates: &Candidates) {
-        for &top in &candidates.pairs[..candidates.pair_count] {
-            self.push(top);
-            self.look_around(top);
-        }
-    }
-
-    /// Adds a window around an angle that is in none.
-    #[cold]
-    fn look_around(&mut self, angle: f64) {
-        let windows = &self.windows[..self.window_count];
-        let inside = |&(low, high): &(f64, f64)| {
-            let turns = ((angle - low) / TAU).floor();
-            angle - turns * TAU < high
         };
-        if self.window_count < WINDOWS && !windows.iter().any(inside) {
-            self.windows[self.window_count] = (angle - AROUND, angle + AROUND);
-            self.window_count += 1;
+        for angle in angles {
+            spots.push(angle);
         }
+        spots
     }
 
     fn push(&mut self, angle: f64) {
@@ -96,11 +52,10 @@ impl Spots {
 pub(super) struct Magnify<'a> {
     pub(super) equation: &'a Equation,
     pub(super) symmetric: bool,
+    pub(super) windows: &'a [(f64, f64)],
     pub(super) spots: &'a mut Spots,
 }
 
-/// Radians to both sides of a root whose polynomial is flat.
-const AROUND: f64 = 1e-3;
 /// Samples of one look.
 const SAMPLES: usize = 32;
 /// Looks at one window, at most.
@@ -117,8 +72,7 @@ impl WithSimd for Magnify<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        for index in 0..self.spots.window_count {
-            let (low, high) = self.spots.windows[index];
+        for &(low, high) in self.windows {
             let middle = 0.5 * (low + high);
             // Some more than the window: a smallest value at its end would not be seen.
             let half = 0.55 * (high - low);

@@ -16,6 +16,8 @@ pub(super) struct Pair<'a> {
     pub(super) finish: &'a Finish<'a>,
     /// The unknown at the top.
     pub(super) top: f64,
+    /// Solutions whose unknown is farther away belong to others.
+    pub(super) within: f64,
     pub(super) pool: &'a mut Pool,
 }
 
@@ -94,7 +96,7 @@ impl Pair<'_> {
         } else {
             1.0
         };
-        (point[unknown] - cos).hypot(sign * point[6 + unknown] - sin) < TOLERANCES.moved
+        (point[unknown] - cos).hypot(sign * point[6 + unknown] - sin) < self.within
     }
 
     #[inline(always)]

@@ -130,10 +130,16 @@ impl WithSimd for Angles<'_> {
         self.pending.joint_values(self.arm, self.q);
         let [lower, upper] = self.arm.bounds();
         let bounds = lower.iter().zip(upper).take(self.arm.chain().dof());
+        // Numbers in a local array stay in a register; flags in memory would be waited for, joint after joint.
+        let mut outside = [0.0; GROUP];
         for (values, (&lower, &upper)) in self.q.iter().zip(bounds) {
             for lane in 0..GROUP {
-                self.within[lane] &= lower <= values[lane] && values[lane] <= upper;
+                let inside = (lower <= values[lane]) & (values[lane] <= upper);
+                outside[lane] += if inside { 0.0 } else { 1.0 };
             }
+        }
+        for lane in 0..GROUP {
+            self.within[lane] = outside[lane] == 0.0;
         }
     }
 }

@@ -8,8 +8,10 @@
 //! the shoulder, degree 4 for pairs of solutions. The same arms with wrist and shoulder exchanged are solved backwards.
 //!
 //! Near double roots the polynomial is a parabola; from its top the arm itself tells the two apart (`pair`). Where the
-//! polynomial drowns in its rounding in other ways, as it does near families, the equation itself is looked at
-//! through a magnifying glass (`magnify`): near such places its own rounding vanishes with it.
+//! polynomial drowns in its rounding in other ways, as it does where several roots are near, the equation itself is looked at
+//! on shorter and shorter intervals (`zoom`), on each of them as a polynomial again (`local`): near such places its own rounding
+//! vanishes with it. Where that does not tell either, as near families, every place where it is as good as zero is tried
+//! (`magnify`).
 //!
 //! Worked out and measured for this project; the degrees were found by sampling (harmonics above are rounding).
 
@@ -38,7 +40,7 @@ use equation::{Equation, Plane};
 use finish::{Close, Finish, Followed, Polish};
 use magnify::{Magnify, Search, Spots};
 use pair::Pair;
-use zoom::{Sight, Zoom};
+use zoom::{Sight, Windows, Zoom};
 
 /// Which neighbour axis 5 meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -273,29 +275,40 @@ impl Offset {
         if doubt.drowned {
             let angles = followed.angles[..followed.count].iter();
             let tops = candidates.pairs[..candidates.pair_count].iter();
-            let more = sight.tops.iter();
-            let mut spots = Spots::new(angles.chain(tops).chain(more).copied());
-            for windows in [&sight.dark, &windows] {
-                simd.vectorize(Magnify {
-                    equation: &equation,
-                    symmetric: self.symmetric,
-                    windows,
-                    spots: &mut spots,
-                });
-            }
-            for register in 0..spots.count.div_ceil(S::F64_LANES) {
-                simd.vectorize(Search {
-                    finish: &finish,
-                    spots: &spots,
-                    register,
-                    pool,
-                });
-            }
+            let spots = Spots::new(angles.chain(tops).chain(sight.tops.iter()).copied());
+            search(simd, &finish, spots, [&sight.dark, &windows], pool);
         }
         Found {
             doubt,
             pairs: candidates.pair_count,
         }
+    }
+}
+
+/// Tries everything at the spots, and at what else is found in the windows.
+#[inline(always)]
+fn search<S: Simd>(
+    simd: S,
+    finish: &Finish<'_>,
+    mut spots: Spots,
+    windows: [&Windows; 2],
+    pool: &mut Pool,
+) {
+    for windows in windows {
+        simd.vectorize(Magnify {
+            equation: finish.equation,
+            symmetric: finish.offset.symmetric,
+            windows,
+            spots: &mut spots,
+        });
+    }
+    for register in 0..spots.count.div_ceil(S::F64_LANES) {
+        simd.vectorize(Search {
+            finish,
+            spots: &spots,
+            register,
+            pool,
+        });
     }
 }
 

@@ -203,6 +203,99 @@ fn roots_beside_any_singularity_are_in_the_set() {
     assert!(tried > 600, "only {tried}");
 }
 
+/// A random arm whose axis 5 meets axis 4 or 6, behind two parallel axes; half of them with right angles and half of the lengths zero.
+fn offset_wrist(random: &mut fastrand::Rng) -> Solver {
+    let structured = random.bool();
+    let mut signed = || 2.0 * random.f64() - 1.0;
+    let mut row = |length: f64| {
+        let (d, a, twist) = (signed(), signed(), signed());
+        match structured {
+            true => (d.max(0.0), a.max(0.0), FRAC_PI_2.copysign(twist)),
+            false => (d, a + length.copysign(a), PI * twist),
+        }
+    };
+    let mut rows: [(f64, f64, f64); 6] = std::array::from_fn(|_| row(0.1));
+    rows[1].1 += 0.2;
+    rows[1].2 = 0.0;
+    let meets = if random.bool() { 3 } else { 4 };
+    rows[meets].1 = 0.0;
+    super::random_arms::solver(&rows.map(turning))
+}
+
+/// Where several solutions are near one another, the equation of an offset wrist drowns in its rounding and is looked at closely.
+#[test]
+fn offset_wrists_beside_any_singularity() {
+    let mut random = fastrand::Rng::with_seed(22);
+    let (mut tried, mut offset) = (0, 0);
+    for arm in 0..60 {
+        let solver = offset_wrist(&mut random);
+        offset += usize::from(solver.choice().name == "offset-wrist");
+        for exponent in [5, 7, 9, 12] {
+            for _ in 0..6 {
+                let joint = random.usize(1..5);
+                let Some(mut q) = beside(&solver, joint, &mut random) else {
+                    continue;
+                };
+                q[joint] += 10_f64.powi(-exponent);
+                let pose = tool_pose(solver.chain(), &q).unwrap();
+                let found = solver.solve(&pose).unwrap();
+                let what = format!("arm {arm} joint {joint} at 1e-{exponent} {q:?}");
+                check_closes(&solver, &q, &found, &what);
+                let tolerance = (1e-13 / sigma(&solver, &q)).max(2e-6);
+                assert!(contains(&solver, &q, &found, tolerance), "{what}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(offset > 20 && tried > 500, "{offset} arms, {tried} poses");
+}
+
+/// Joint values that were lost: an elbow 1e-7 from stretched, whose two ways to bend a nearly straight wrist makes much of; and a fold
+/// with short levers beside it, where the error of the pose is no parabola for long.
+#[test]
+fn solutions_that_were_lost_beside_singularities() {
+    let h = FRAC_PI_2;
+    let elbow = [
+        (0.0, 0.16313281605693453, -h),
+        (0.0, 0.9450767257927313, 0.0),
+        (0.34352994212137933, 0.7133462711162888, h),
+        (-0.44766185609795694, 0.0, -h),
+        (0.0, 0.0, -h),
+        (0.08998660678386372, 0.0, 0.3),
+    ];
+    let levers = [
+        (0.0, 0.0, -h),
+        (0.8349794858151207, 0.2283021854913907, 0.0),
+        (0.6403415352532384, 0.954640047261025, -h),
+        (0.7988602545404391, 0.0, h),
+        (0.00033273448360970903, 0.0, -h),
+        (0.024404205297092085, 0.0, 0.3),
+    ];
+    let stretched = [
+        3.016256668544212,
+        3.534572745293288,
+        1.6201019222059148,
+        3.1398342570887574,
+        -0.004596809088528211,
+        -0.4767185803722434,
+    ];
+    let folded = [
+        -1.3020914808864639,
+        1.5143964070368223,
+        2.4909281303946846,
+        0.8073722901406024,
+        -2.1471263343674827,
+        -0.9811499570817813,
+    ];
+    for (rows, q) in [(elbow, stretched), (levers, folded)] {
+        let solver = super::random_arms::solver(&rows.map(turning));
+        let pose = tool_pose(solver.chain(), &q).unwrap();
+        let found = solver.solve(&pose).unwrap();
+        check_closes(&solver, &q, &found, "lost");
+        assert!(contains(&solver, &q, &found, 2e-6), "{q:?}: {found:?}");
+    }
+}
+
 /// An arm without any structure.
 fn general() -> Solver {
     let rows = [

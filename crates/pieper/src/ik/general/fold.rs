@@ -29,10 +29,7 @@ pub(super) struct Told {
 impl Told {
     /// Adds them to others.
     pub(super) fn add_to(&self, pool: &mut Pool) {
-        let Pool { points, errors, .. } = &self.solutions;
-        for (point, &error) in points.iter().zip(errors).take(self.solutions.count) {
-            pool.insert(point, error);
-        }
+        self.solutions.add_to(pool);
     }
 }
 

@@ -97,6 +97,13 @@ impl Pool {
         }
     }
 
+    /// Adds all of them to others.
+    pub(super) fn add_to(&self, pool: &mut Self) {
+        for (point, &error) in self.points.iter().zip(&self.errors).take(self.count) {
+            pool.insert(point, error);
+        }
+    }
+
     /// Adds a solution unless it is there; either way it counts as hit.
     pub(super) fn insert(&mut self, point: &Point, error: f64) {
         for index in 0..self.count {

@@ -45,8 +45,10 @@ impl WithSimd for Pair<'_> {
             return true;
         }
         let wanted = 1 << u32::from(finish.offset.symmetric);
-        let (mut tried, mut folds, mut lone) = (List::new(), List::new(), Pool::new());
-        for start in self.starts(simd, angle, &at) {
+        let (mut tried, mut folds) = (List::new(), List::new());
+        let mut alone: Option<Pool> = None;
+        let starts = self.starts(simd, angle, &at);
+        for start in &starts {
             if folds.count == wanted {
                 break;
             }
@@ -61,21 +63,21 @@ impl WithSimd for Pair<'_> {
                 if self.is_at(&told.top) && folds.push(&told.top) {
                     told.add_to(self.pool);
                 }
-                continue;
+            } else if alone.is_none() {
+                let found = self.follow(simd, &starts);
+                if self.sharing(&found) == 2 * wanted {
+                    found.add_to(self.pool);
+                    return true;
+                }
+                alone = Some(found);
             }
-            let mut q = gather(simd, &[start.point]);
-            let errors = newton(simd, finish.goal, &mut q);
-            lone.add(&q, errors, 1, TOLERANCES.closes_well);
         }
-        if folds.count == wanted {
-            return true;
+        if folds.count < wanted
+            && let Some(found) = alone
+        {
+            found.add_to(self.pool);
         }
-        let mut sharing = 0;
-        for (point, &error) in lone.points[..lone.count].iter().zip(&lone.errors) {
-            sharing += usize::from(self.is_at(point));
-            self.pool.insert(point, error);
-        }
-        folds.count == 0 && sharing == 2 * wanted
+        folds.count == wanted
     }
 }
 
@@ -97,6 +99,25 @@ impl Pair<'_> {
             1.0
         };
         (point[unknown] - cos).hypot(sign * point[6 + unknown] - sin) < self.within
+    }
+
+    /// How many of the solutions have the unknown of the pair.
+    fn sharing(&self, found: &Pool) -> usize {
+        let points = &found.points[..found.count];
+        points.iter().filter(|point| self.is_at(point)).count()
+    }
+
+    /// Solutions from all starts, each by itself.
+    #[inline(always)]
+    fn follow<S: Simd>(&self, simd: S, starts: &[Start; WAYS]) -> Pool {
+        let points = starts.map(|start| start.point);
+        let mut found = Pool::new();
+        for register in 0..WAYS / S::F64_LANES {
+            let mut q = gather(simd, &points[register * S::F64_LANES..]);
+            let errors = newton(simd, self.finish.goal, &mut q);
+            found.add(&q, errors, S::F64_LANES, TOLERANCES.closes_well);
+        }
+        found
     }
 
     #[inline(always)]

@@ -129,8 +129,8 @@ const ERROR: f64 = 4e-15;
 const LOOKS: usize = 128;
 /// Radians: half an interval, no closer.
 const CLOSEST: f64 = 1e-11;
-/// Of a window's width: as much is looked at beyond its ends, where functions are hidden by their neighbours. Unequal, so that what is
-/// in a window's middle is not at the end of a part.
+/// Of a window's width: as much is looked at beyond its ends, so that a root at an end is not at the end of what is seen. Unequal, so
+/// that what is in a window's middle is not at the end of a part.
 const MARGINS: (f64, f64) = (0.13, 0.22);
 /// A vague place is looked at closer if it is a smaller part of the interval than this, on either side.
 const SMALL: f64 = 0.08;

@@ -23,14 +23,7 @@ pub(super) struct Fold<'a, 'b> {
 pub(super) struct Told {
     /// The top of the parabola, where the arm is singular.
     pub(super) top: Point,
-    solutions: Pool,
-}
-
-impl Told {
-    /// Adds them to others.
-    pub(super) fn add_to(&self, pool: &mut Pool) {
-        self.solutions.add_to(pool);
-    }
+    pub(super) solutions: Pool,
 }
 
 /// Radians: how far the start may be from the top of the parabola.

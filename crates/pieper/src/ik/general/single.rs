@@ -189,7 +189,7 @@ impl Elimination {
             let used = candidates.pair_count - register * S::F64_LANES;
             for start in starts.iter().take(used.min(S::F64_LANES)) {
                 match simd.vectorize(Fold { goal, start }) {
-                    Some(fold) => fold.add_to(pool),
+                    Some(told) => told.solutions.add_to(pool),
                     None => told = false,
                 }
             }

@@ -190,17 +190,30 @@ fn roots_beside_any_singularity_are_in_the_set() {
                     continue;
                 };
                 q[joint] += 10_f64.powi(-exponent);
-                let pose = tool_pose(solver.chain(), &q).unwrap();
-                let found = solver.solve(&pose).unwrap();
-                let what = format!("{id} joint {joint} at 1e-{exponent} {q:?}");
-                check_closes(&solver, &q, &found, &what);
-                let tolerance = (1e-13 / sigma(&solver, &q)).max(2e-6);
-                assert!(contains(&solver, &q, &found, tolerance), "{what}");
+                let what = format!("{id} joint {joint} at 1e-{exponent}");
+                check_found(&solver, &q, told(&solver, &q), &what);
                 tried += 1;
             }
         }
     }
     assert!(tried > 600, "only {tried}");
+}
+
+/// How well a pose tells joint values: what rounding moves them by.
+fn told(solver: &Solver, q: &[f64]) -> f64 {
+    (1e-13 / sigma(solver, q)).max(2e-6)
+}
+
+/// Whether joint values are among the solutions of their pose.
+fn check_found(solver: &Solver, q: &[f64], tolerance: f64, what: &str) {
+    let pose = tool_pose(solver.chain(), q).unwrap();
+    let found = solver.solve(&pose).unwrap();
+    check_closes(solver, q, &found, what);
+    assert!(
+        contains(solver, q, &found, tolerance),
+        "{what} {q:?}: {:?}",
+        found.as_slice()
+    );
 }
 
 /// A random arm whose axis 5 meets axis 4 or 6, behind two parallel axes; half of them with right angles and half of the lengths zero.
@@ -237,12 +250,8 @@ fn offset_wrists_beside_any_singularity() {
                     continue;
                 };
                 q[joint] += 10_f64.powi(-exponent);
-                let pose = tool_pose(solver.chain(), &q).unwrap();
-                let found = solver.solve(&pose).unwrap();
-                let what = format!("arm {arm} joint {joint} at 1e-{exponent} {q:?}");
-                check_closes(&solver, &q, &found, &what);
-                let tolerance = (1e-13 / sigma(&solver, &q)).max(2e-6);
-                assert!(contains(&solver, &q, &found, tolerance), "{what}");
+                let what = format!("arm {arm} joint {joint} at 1e-{exponent}");
+                check_found(&solver, &q, told(&solver, &q), &what);
                 tried += 1;
             }
         }
@@ -289,10 +298,7 @@ fn solutions_that_were_lost_beside_singularities() {
     ];
     for (rows, q) in [(elbow, stretched), (levers, folded)] {
         let solver = super::random_arms::solver(&rows.map(turning));
-        let pose = tool_pose(solver.chain(), &q).unwrap();
-        let found = solver.solve(&pose).unwrap();
-        check_closes(&solver, &q, &found, "lost");
-        assert!(contains(&solver, &q, &found, 2e-6), "{q:?}: {found:?}");
+        check_found(&solver, &q, 2e-6, "lost once");
     }
 }
 

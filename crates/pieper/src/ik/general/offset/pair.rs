@@ -7,6 +7,7 @@ use super::equation::Values;
 use super::finish::Finish;
 use crate::ik::general::fold::Fold;
 use crate::ik::general::lanes::{Lane, Turn};
+use crate::ik::general::list::List;
 use crate::ik::general::newton::{error, newton};
 use crate::ik::general::pool::{Point, Pool, distance, gather, scatter};
 use crate::ik::general::tolerances::TOLERANCES;
@@ -49,10 +50,10 @@ impl WithSimd for Pair<'_> {
         let mut alone: Option<Pool> = None;
         let starts = self.starts(simd, angle, &at);
         for start in &starts {
-            if folds.count == wanted {
+            if folds.len() == wanted {
                 break;
             }
-            if start.error.is_nan() || start.error >= START || !tried.push(&start.point) {
+            if start.error.is_nan() || start.error >= START || !push_new(&mut tried, &start.point) {
                 continue;
             }
             let fold = Fold {
@@ -60,8 +61,8 @@ impl WithSimd for Pair<'_> {
                 start: &start.point,
             };
             if let Some(told) = simd.vectorize(fold) {
-                if self.is_at(&told.top) && folds.push(&told.top) {
-                    told.add_to(self.pool);
+                if self.is_at(&told.top) && push_new(&mut folds, &told.top) {
+                    told.solutions.add_to(self.pool);
                 }
             } else if alone.is_none() {
                 let found = self.follow(simd, &starts);
@@ -72,12 +73,12 @@ impl WithSimd for Pair<'_> {
                 alone = Some(found);
             }
         }
-        if folds.count < wanted
+        if folds.len() < wanted
             && let Some(found) = alone
         {
             found.add_to(self.pool);
         }
-        folds.count == wanted
+        folds.len() == wanted
     }
 }
 
@@ -167,29 +168,11 @@ impl Pair<'_> {
     }
 }
 
-/// Points that are not the same.
-struct List {
-    points: [Point; WAYS],
-    count: usize,
-}
-
-impl List {
-    fn new() -> Self {
-        Self {
-            points: [[0.0; 12]; WAYS],
-            count: 0,
-        }
+/// Adds a point; false if it is there.
+fn push_new(points: &mut List<Point, WAYS>, point: &Point) -> bool {
+    let is_new = points.iter().all(|other| distance(other, point) >= SAME);
+    if is_new {
+        points.push(*point);
     }
-
-    /// Adds a point; false if it is there.
-    fn push(&mut self, point: &Point) -> bool {
-        let known = self.points[..self.count]
-            .iter()
-            .any(|other| distance(other, point) < SAME);
-        if !known {
-            self.points[self.count] = *point;
-            self.count += 1;
-        }
-        !known
-    }
+    is_new
 }

@@ -89,21 +89,39 @@ pub(super) fn local<S: Simd>(middle: Turn<S>, offset: Lane<S>) -> Turn<S> {
     }
 }
 
-/// The polynomial and its slope: Horner's rule for `sum (a_k - i b_k) z^k` and its derivative, `z = cos + i sin`.
+/// The polynomial and its slope: `sum c_k z^k` with `c_k = a_k - i b_k`, `z = cos + i sin`, and `sum i k c_k z^k`. By Horner's rule
+/// in `z^2`, even and odd powers side by side: a single chain would have to wait for each of its steps.
 #[inline(always)]
 fn evaluate<S: Simd>(polynomial: &Trigonometric, z: Turn<S>) -> (Lane<S>, Lane<S>) {
     let zero = z.cos.constant(0.0);
-    let (mut re, mut im, mut slope_re, mut slope_im) = (zero, zero, zero, zero);
-    for k in (1..=DEGREE).rev() {
-        let (a, b) = (polynomial[k], polynomial[DEGREE + k]);
+    let square = Turn {
+        cos: z.sin.subtract_product(z.sin, z.cos * z.cos),
+        sin: (z.sin + z.sin) * z.cos,
+    };
+    let (mut sums, mut rates) = ([[zero; 2]; 2], [[zero; 2]; 2]);
+    for k in (0..=DEGREE).rev() {
+        let (a, b) = match k {
+            0 => (polynomial[0], 0.0),
+            _ => (polynomial[k], -polynomial[DEGREE + k]),
+        };
         let rate = k as f64;
-        let (x, y) = (re + zero.constant(a), im + zero.constant(-b));
-        re = z.sin.subtract_product(y, z.cos * x);
-        im = z.sin.mul_add(x, z.cos * y);
-        let (a, b) = (zero.constant(rate * a), zero.constant(-rate * b));
-        let (x, y) = (slope_re + a, slope_im + b);
-        slope_re = z.sin.subtract_product(y, z.cos * x);
-        slope_im = z.sin.mul_add(x, z.cos * y);
+        sums[k % 2] = times_plus(square, sums[k % 2], (a, b));
+        rates[k % 2] = times_plus(square, rates[k % 2], (rate * a, rate * b));
     }
-    (re + zero.constant(polynomial[0]), -slope_im)
+    let value = z
+        .sin
+        .subtract_product(sums[1][1], z.cos.mul_add(sums[1][0], sums[0][0]));
+    let slope = z
+        .sin
+        .mul_add(rates[1][0], z.cos.mul_add(rates[1][1], rates[0][1]));
+    (value, -slope)
+}
+
+/// A complex number times another one, and a constant.
+#[inline(always)]
+fn times_plus<S: Simd>(z: Turn<S>, [x, y]: [Lane<S>; 2], (re, im): (f64, f64)) -> [Lane<S>; 2] {
+    [
+        z.cos.mul_add(x, z.sin.subtract_product(y, x.constant(re))),
+        z.cos.mul_add(y, z.sin.mul_add(x, x.constant(im))),
+    ]
 }

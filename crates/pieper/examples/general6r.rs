@@ -178,7 +178,7 @@ impl Tally {
             })
         };
         for root in roots.iter() {
-            let off = forward(links, &root.q).to_homogeneous() - target.to_homogeneous();
+            let off = forward(links, &root.q()).to_homogeneous() - target.to_homogeneous();
             if std::env::var_os("VERBOSE").is_some() && off.amax() > 1e-12 {
                 println!(
                     "  error {:.1e} sigma {:.1e} residual {:.1e} of {} {completeness:?}",
@@ -201,7 +201,7 @@ impl Tally {
         }
         let nearest = roots
             .iter()
-            .map(|r| difference(&r.q))
+            .map(|r| difference(&r.q()))
             .fold(f64::INFINITY, f64::min);
         let allowed = 1e-6;
         if nearest > allowed {
@@ -415,11 +415,11 @@ fn sliding(arms: usize, poses: usize, structured: bool, random: &mut fastrand::R
                 singular += usize::from(matches!(completeness, Completeness::Singular { .. }));
                 let mut nearest = f64::INFINITY;
                 for root in roots.iter() {
-                    let off = forward_with_slides(&links, &slides, &root.q).to_homogeneous()
+                    let off = forward_with_slides(&links, &slides, &root.q()).to_homogeneous()
                         - target.to_homogeneous();
                     assert!(off.amax() < 1e-8, "a wrong solution: {kinds} {root:?}");
                     let apart = (0..6).fold(0.0_f64, |most, j| {
-                        let d = (root.q[j] - q[j]).abs();
+                        let d = (root.q()[j] - q[j]).abs();
                         most.max(if slides[j] { d } else { d.min(2.0 * PI - d) })
                     });
                     nearest = nearest.min(apart);

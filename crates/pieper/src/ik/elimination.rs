@@ -68,7 +68,7 @@ impl Prepared for Elimination {
     fn solve(&self, target: &Pose, sink: &mut Sink<'_>) {
         let mut roots = Roots::default();
         self.0.solve(target, &mut roots);
-        for root in roots.iter() {
+        for (index, root) in roots.iter().enumerate() {
             let singular = root.sigma < SINGULAR;
             let marks = Marks {
                 multiplicity: 1,
@@ -76,10 +76,10 @@ impl Prepared for Elimination {
                 free: singular,
             };
             let branch = Branch {
-                root: sink.found() as u8 + 1,
+                root: index as u8 + 1,
                 ..Branch::default()
             };
-            sink.push(&root.q, branch, marks);
+            sink.push_turns(&root.turns, branch, marks);
         }
         if roots.is_empty() {
             // By how much it fails is measured by a search, if somebody asks.

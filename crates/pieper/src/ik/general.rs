@@ -28,6 +28,7 @@ mod fold;
 mod isolate;
 mod lanes;
 mod line;
+mod linear;
 mod list;
 mod newton;
 mod number;
@@ -91,13 +92,28 @@ struct Scaled {
 /// One solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Root {
-    /// Joint angles, in (-pi, pi]; metres of a joint that slides.
-    pub q: [f64; 6],
+    /// Sine and cosine of each joint angle; metres and 0 of a joint that slides.
+    pub turns: [(f64, f64); 6],
     /// Error of the pose after Newton: metres and radians, as one norm.
     pub residual: f64,
     /// Smallest singular value of the Jacobian, lengths scaled so that the arm's links add up to 3: small near
     /// singularities, zero on families and at double roots.
     pub sigma: f64,
+    slides: [bool; 6],
+}
+
+impl Root {
+    /// Joint angles, in [-pi, pi]; metres of a joint that slides.
+    pub fn q(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| {
+            let (sin, cos) = self.turns[joint];
+            if self.slides[joint] {
+                sin
+            } else {
+                sin.atan2(cos)
+            }
+        })
+    }
 }
 
 /// All solutions of one target.
@@ -188,6 +204,27 @@ impl General {
     }
 
     /// Finds all joint angles that put the last link at `target`. Allocates nothing.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use pieper::ik::general::{General, Roots};
+    /// use pieper::spatial;
+    ///
+    /// let link = |a: f64, alpha: f64| {
+    ///     let bend = spatial::turn(&Vector3::x_axis(), alpha.sin_cos());
+    ///     spatial::shift(Vector3::new(a, 0.0, 0.1)) * bend
+    /// };
+    /// let links = [1.1, -0.4, 1.4, -0.9, 1.2, 0.4].map(|alpha| link(0.3, alpha));
+    /// let q = [0.3, -0.8, 1.1, 0.5, -1.2, 0.7];
+    /// let turned = q.map(|angle: f64| spatial::turn(&Vector3::z_axis(), angle.sin_cos()));
+    /// let target = turned.iter().zip(&links).fold(spatial::shift(Vector3::zeros()), |pose, (turn, link)| pose * turn * link);
+    ///
+    /// let mut roots = Roots::default();
+    /// General::prepare(&links)?.solve(&target, &mut roots);
+    /// let is_it = |root: [f64; 6]| root.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-9);
+    /// assert!(roots.iter().any(|root| is_it(root.q())));
+    /// # Ok::<(), pieper::Error>(())
+    /// ```
     pub fn solve(&self, target: &Pose, out: &mut Roots) -> Completeness {
         out.count = 0;
         let target = Target::new(self.arm.inner(target));

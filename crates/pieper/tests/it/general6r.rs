@@ -58,7 +58,7 @@ impl Robot {
     /// The smallest difference of a root's joints from listed ones, in the file's convention.
     fn distance(&self, root: &Root, q: &[f64]) -> f64 {
         (0..6).fold(0.0, |most, j| {
-            let value = self.signs[j] * (root.q[j] - self.offsets[j]);
+            let value = self.signs[j] * (root.q()[j] - self.offsets[j]);
             let turns = (value - q[j]).rem_euclid(2.0 * PI);
             most.max(turns.min(2.0 * PI - turns))
         })
@@ -176,8 +176,8 @@ fn special_poses() {
         let completeness = robot.general.solve(&target, &mut roots);
         let label = &line[..line.find("\"T\"").unwrap_or(80)];
         for root in roots.iter() {
-            let off =
-                (forward(&robot.links, &root.q).to_homogeneous() - target.to_homogeneous()).amax();
+            let off = (forward(&robot.links, &root.q()).to_homogeneous() - target.to_homogeneous())
+                .amax();
             assert!(off < 1e-9, "{label}: {off:e}");
         }
         if line.contains("\"expected\": \"unreachable\"") {
@@ -224,7 +224,7 @@ fn finds_the_generating_joints_of_random_arms() {
             let found = roots.iter().any(|root| {
                 let near =
                     |(a, b): (&f64, &f64)| ((a - b).sin().abs() < 1e-7) && (a - b).cos() > 0.0;
-                root.q.iter().zip(&q).all(near)
+                root.q().iter().zip(&q).all(near)
             });
             assert!(found, "{q:?} {completeness:?}");
         }

@@ -149,19 +149,21 @@ struct Report {
 /// Eliminations more than usual where a root is singular: its number says nothing there.
 const EXTRA_SINGULAR: usize = 2;
 
-/// Joint angles of the true arm.
+/// Joints of the true arm.
 fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Roots) {
     out.count = pool.count.min(MAX_ROOTS);
     for (index, root) in out.list[..out.count].iter_mut().enumerate() {
         let point = &pool.points[index];
         *root = Root {
-            q: std::array::from_fn(|joint| {
+            turns: std::array::from_fn(|joint| {
+                let (sin, cos) = (point[6 + joint], point[joint]);
                 if general.arm.slides[joint] {
-                    point[6 + joint] / general.arm.scale
+                    (sin / general.arm.scale, 0.0)
                 } else {
-                    point[6 + joint].atan2(point[joint])
+                    (sin, cos)
                 }
             }),
+            slides: general.arm.slides,
             residual: pool.errors[index] / general.arm.scale.min(1.0),
             sigma: sigma[index],
         };

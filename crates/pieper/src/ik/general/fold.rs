@@ -3,156 +3,269 @@
 //!
 //! Let n be the direction in which the joints move without moving the end, and u the motion of the end that they cannot make.
 //! On the curve where the error of the pose is along u alone, parametrised by the distance t along n, that error is a
-//! parabola; its roots are the two solutions (Liapunov and Schmidt's reduction). A point of the curve is found by Newton's
-//! method on `[J u; n^T 0]`, which is regular at a fold.
+//! parabola; its roots are the two solutions (Liapunov and Schmidt's reduction). The curve, the slope and the bend of the error
+//! follow from `[J u; n^T 0]`, which is regular at a fold, and from the acceleration of the end.
 
 use pulp::{Simd, WithSimd};
 
-use super::lanes::Lane;
-use super::newton::{Frame, Goal, error, measure, newton, settle};
-use super::pool::{Point, Pool, gather, scatter};
+use super::lanes::{Lane, Mask, square};
+use super::list::List;
+use super::newton::{Angles, Curve, Goal, curve, measure, newton};
+use super::pool::{Point, Pool, distance, gather, scatter};
 use super::tolerances::TOLERANCES;
 
-/// Tells apart the solutions beside a point that is close to a fold.
-pub(super) struct Fold<'a, 'b> {
+/// Tells apart the solutions beside points that are close to folds, as many as a register takes.
+pub(super) struct Folds<'a, 'b> {
     pub(super) goal: &'a Goal<'b>,
-    pub(super) start: &'a Point,
+    pub(super) starts: &'a [Point],
 }
 
 /// The solutions beside a fold: two, one that is double, or none.
+#[derive(Clone)]
 pub(super) struct Told {
     /// The top of the parabola, where the arm is singular.
     pub(super) top: Point,
-    pub(super) solutions: Pool,
+    /// And the errors of their poses.
+    solutions: List<(Point, f64), 2>,
 }
+
+/// Lanes of the widest register.
+const LANES: usize = 8;
 
 /// Radians: how far the start may be from the top of the parabola.
 const REACH: f64 = 0.01;
+/// Radians: where a start is farther from the curve, the parabola there says nothing about its top yet.
+const OFF: f64 = 0.01;
 /// No fold is within reach of a point whose smallest singular value is larger.
 const FAR: f64 = 0.05;
-/// Radians between the samples: first to find the top, then to know it.
-const SPACINGS: [f64; 2] = [1e-3, 3e-5];
-/// The two looks must agree on the bend up to this part.
+/// The bend must be the same at the start and at the top up to this part.
 const ALIKE: f64 = 0.1;
-/// Steps onto the curve end when they are this short, radians; what has not come there is on no curve.
-const SETTLED: f64 = 1e-11;
-const STEPS: usize = 6;
+/// Radians: what is as close to the curve, and to the top, is seen exactly: the error is wrong by the square of the one and
+/// the third power of the other.
+const ON_CURVE: f64 = 1e-9;
+const AT_TOP: f64 = 3e-6;
+const STEPS: usize = 8;
 /// The error of the pose by which rounding of the target and of the arm's motion may move the parabola.
 const NOISE: f64 = 1e-15;
 /// What the parabola may be wrong by when it says that it has no root.
 const BIAS: f64 = 1e-14;
 /// Radians: a parabola that leaves its roots less certain is none.
 const VAGUE: f64 = 1e-5;
+/// Tops that are closer in sines and cosines are one.
+pub(super) const SAME: f64 = 1e-4;
 /// Radians: solutions that are farther from the top must come out as two.
 const DISTINCT: f64 = 1e-6;
 
-/// Samples of the curve, enough for the widest register.
-const SAMPLES: usize = 8;
-
-/// The error along u around a point of the curve, by its derivatives.
-struct Parabola {
-    slope: f64,
-    bend: f64,
-}
-
-impl WithSimd for Fold<'_, '_> {
-    /// Nothing if there is no fold, or more than one.
-    type Output = Option<Told>;
+impl WithSimd for Folds<'_, '_> {
+    /// For each start nothing if there is no fold, or more than one.
+    type Output = [Option<Told>; LANES];
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Option<Told> {
-        let frame = self.frame(simd)?;
-        let far = self.look(simd, &frame, 0.0, SPACINGS[0])?;
-        let top = -far.slope / far.bend;
-        if top.is_nan() || top.abs() >= REACH {
-            return None;
-        }
-        let near = self.look(simd, &frame, top, SPACINGS[1])?;
-        let top = top - near.slope / near.bend;
-        let vague = 2.0 * (NOISE / near.bend).abs();
-        let is_parabola = (near.bend - far.bend).abs() < ALIKE * far.bend.abs();
-        if !(is_parabola && vague < VAGUE * VAGUE) {
-            return None;
-        }
-        // Measured there, since what is no parabola moves the smallest value of one that was fitted beside.
-        let (point, lowest) = self.point(simd, &frame, top);
-        let square = -2.0 * lowest / near.bend;
-        if square.abs() > TOLERANCES.beside * TOLERANCES.beside {
-            return None;
-        }
-        let mut told = Told {
-            top: point,
-            solutions: Pool::new(),
-        };
-        if square < -2.0 * (BIAS / near.bend).abs() {
-            return Some(told);
-        }
-        // Closer than rounding tells apart they are one, at the top.
-        if square < vague {
-            let at = gather(simd, &[told.top]);
-            let errors = error(simd, self.goal, &at);
-            told.solutions.add(&at, errors, 1, TOLERANCES.closes_well);
-            return (told.solutions.count == 1).then_some(told);
-        }
-        let half = square.sqrt();
-        let mut places = [0.0; SAMPLES];
-        for (lane, place) in places.iter_mut().enumerate() {
-            *place = top + half * [-1.0, 1.0][lane % 2];
-        }
-        for register in 0..2_usize.div_ceil(S::F64_LANES) {
-            let mut q = gather(simd, &[*self.start]);
-            let at = Lane::load(simd, &places, register);
-            settle(simd, self.goal, &frame, &mut q, at, STEPS, SETTLED);
-            let errors = newton(simd, self.goal, &mut q);
-            let used = (2 - register * S::F64_LANES).min(S::F64_LANES);
-            told.solutions.add(&q, errors, used, TOLERANCES.closes_well);
-        }
-        let count = told.solutions.count;
-        (count == 2 || (count == 1 && half < DISTINCT)).then_some(told)
-    }
-}
-
-impl Fold<'_, '_> {
-    #[inline(always)]
-    fn frame<S: Simd>(&self, simd: S) -> Option<Frame> {
-        let measured = measure(simd, self.goal, &gather(simd, &[*self.start]));
-        let (mut free, mut left) = ([0.0; 6], [0.0; 6]);
-        for k in 0..6 {
-            free[k] = measured.free[k].largest();
-            left[k] = measured.left[k].largest();
-        }
-        (measured.sigma.largest() < FAR).then_some(Frame { free, left })
-    }
-
-    /// The point of the curve at a distance, and the error there.
-    #[inline(always)]
-    fn point<S: Simd>(&self, simd: S, frame: &Frame, along: f64) -> (Point, f64) {
-        let mut q = gather(simd, &[*self.start]);
-        let at = Lane::splat(simd, along);
-        let (error, _) = settle(simd, self.goal, frame, &mut q, at, STEPS, SETTLED);
-        (scatter(&q)[0], error.largest())
-    }
-
-    /// Samples the curve at distances around `middle`; nothing if they are on no curve.
-    #[inline(always)]
-    fn look<S: Simd>(&self, simd: S, frame: &Frame, middle: f64, spacing: f64) -> Option<Parabola> {
-        let mut places = [middle; SAMPLES];
-        places[1] += spacing;
-        places[2] -= spacing;
-        let mut errors = [0.0; SAMPLES];
-        for register in 0..3_usize.div_ceil(S::F64_LANES) {
-            let mut q = gather(simd, &[*self.start]);
-            let at = Lane::load(simd, &places, register);
-            let (error, last) = settle(simd, self.goal, frame, &mut q, at, STEPS, SETTLED);
-            if last.is_nan() || last >= SETTLED.sqrt() {
-                return None;
+    fn with_simd<S: Simd>(self, simd: S) -> [Option<Told>; LANES] {
+        let tops = self.tops(simd);
+        let roots = tops.roots();
+        let points = scatter(&tops.point(Lane::splat(simd, 0.0), self.goal.slides));
+        let mut told = [const { None }; LANES];
+        let mut halves = [0.0; LANES];
+        for lane in 0..self.starts.len().min(S::F64_LANES) {
+            let top = points[lane];
+            let mut solutions = List::new();
+            match roots[lane] {
+                Roots::Unclear => continue,
+                Roots::None => {}
+                Roots::One(error) => solutions.push((top, error)),
+                Roots::Two(half) => halves[lane] = half,
             }
-            error.store(&mut errors, register);
+            told[lane] = Some(Told { top, solutions });
         }
-        let [value, right, left, ..] = errors;
-        Some(Parabola {
-            slope: (right - left) / (2.0 * spacing),
-            bend: (right + left - 2.0 * value) / (spacing * spacing),
-        })
+        // Starts beside the same fold: the first of them solves it.
+        let twins = twins(&told);
+        for lane in 0..LANES {
+            if twins[lane] != lane {
+                halves[lane] = 0.0;
+            }
+        }
+        if halves != [0.0; LANES] {
+            self.solve(simd, &tops, &halves, &mut told);
+        }
+        for lane in 0..LANES {
+            if twins[lane] != lane {
+                told[lane] = told[twins[lane]].clone();
+            }
+        }
+        told
+    }
+}
+
+impl Folds<'_, '_> {
+    /// Climbs along the curves to the tops.
+    #[inline(always)]
+    fn tops<S: Simd>(&self, simd: S) -> Tops<S> {
+        let mut at = gather(simd, self.starts);
+        let measured = measure(simd, self.goal, &at);
+        let zero = Lane::splat(simd, 0.0);
+        let (reach, off) = (Lane::splat(simd, REACH), Lane::splat(simd, OFF));
+        let (on_curve, at_top) = (Lane::splat(simd, ON_CURVE), Lane::splat(simd, AT_TOP));
+        let mut is_near = measured.sigma.less(Lane::splat(simd, FAR));
+        let mut is_seen = zero.less(zero);
+        let (mut first, mut travelled) = (zero, zero);
+        let mut steps = STEPS;
+        loop {
+            let curve = curve(simd, self.goal, &measured, &at);
+            let distance = square(&curve.step).sqrt();
+            let is_close = distance.less(off);
+            first = is_seen.pick(first, curve.bend);
+            is_seen = is_seen.or(is_close);
+            let along = is_close.pick(-(curve.slope / curve.bend), zero);
+            travelled = travelled + along;
+            is_near = is_near.and(travelled.abs().less(reach));
+            let is_exact = distance.less(on_curve).and(along.abs().less(at_top));
+            steps -= 1;
+            if steps == 0 || !is_near.and_not(is_exact).any() {
+                let is_there = is_near.and(is_exact);
+                return Tops {
+                    at,
+                    curve,
+                    first,
+                    is_there,
+                };
+            }
+            at = curve.point(&at, along, self.goal.slides);
+        }
+    }
+
+    /// Solutions at these distances to both sides of the tops.
+    #[inline(always)]
+    fn solve<S: Simd>(
+        &self,
+        simd: S,
+        tops: &Tops<S>,
+        halves: &[f64; LANES],
+        told: &mut [Option<Told>; LANES],
+    ) {
+        let half = Lane::load(simd, halves, 0);
+        let mut beside = [[0.0; 12]; 2 * LANES];
+        let mut owners: List<usize, { 2 * LANES }> = List::new();
+        for side in [-half, half] {
+            let points = scatter(&tops.point(side, self.goal.slides));
+            for lane in 0..S::F64_LANES {
+                if halves[lane] > 0.0 {
+                    beside[owners.len()] = points[lane];
+                    owners.push(lane);
+                }
+            }
+        }
+        // Only these: a lane that is nowhere near a solution would keep all of them waiting.
+        for (points, owners) in beside.chunks(S::F64_LANES).zip(owners.chunks(S::F64_LANES)) {
+            let mut q = gather(simd, &points[..owners.len()]);
+            let mut errors = [0.0; LANES];
+            newton(simd, self.goal, &mut q).store(&mut errors, 0);
+            let found = scatter(&q);
+            for (lane, &owner) in owners.iter().enumerate() {
+                if let Some(told) = &mut told[owner] {
+                    told.add(&found[lane], errors[lane]);
+                }
+            }
+        }
+        for (told, &half) in told.iter_mut().zip(halves) {
+            let least = if half > DISTINCT { 2 } else { 1 };
+            told.take_if(|told| half > 0.0 && told.solutions.len() < least);
+        }
+    }
+}
+
+impl Told {
+    fn add(&mut self, point: &Point, error: f64) {
+        let mut others = self.solutions.iter();
+        let is_new = others.all(|(other, _)| distance(other, point) >= TOLERANCES.same);
+        if is_new && error <= TOLERANCES.closes_well {
+            self.solutions.push((*point, error));
+        }
+    }
+
+    pub(super) fn add_to(&self, pool: &mut Pool) {
+        for (point, error) in self.solutions.iter() {
+            pool.insert(point, *error);
+        }
+    }
+}
+
+/// For each start the first one with the same top.
+fn twins(told: &[Option<Told>; LANES]) -> [usize; LANES] {
+    let mut twins = std::array::from_fn(|start| start);
+    for (start, twin) in twins.iter_mut().enumerate() {
+        let Some(own) = &told[start] else { continue };
+        let is_same = |other: &Option<Told>| {
+            let other = other.as_ref();
+            other.is_some_and(|other| distance(&other.top, &own.top) < SAME)
+        };
+        *twin = told.iter().position(is_same).unwrap_or(start);
+    }
+    twins
+}
+
+/// The curve close to the top of each lane's parabola.
+struct Tops<S: Simd> {
+    at: Angles<S>,
+    curve: Curve<S>,
+    /// The bend where it was seen first.
+    first: Lane<S>,
+    is_there: Mask<S>,
+}
+
+/// What a parabola says of its roots.
+#[derive(Clone, Copy)]
+enum Roots {
+    /// It is none, or they are too far apart.
+    Unclear,
+    None,
+    /// Closer than rounding tells apart they are one, at the top, where the error is this.
+    One(f64),
+    /// So far from the top.
+    Two(f64),
+}
+
+impl<S: Simd> Tops<S> {
+    /// The point of the curve at a distance from the top.
+    #[inline(always)]
+    fn point(&self, from_top: Lane<S>, slides: &[bool; 6]) -> Angles<S> {
+        let top = -(self.curve.slope / self.curve.bend);
+        self.curve.point(&self.at, top + from_top, slides)
+    }
+
+    /// What each lane's parabola says.
+    #[inline(always)]
+    fn roots(&self) -> [Roots; LANES] {
+        let (mut value, mut slope, mut bend, mut first) =
+            ([0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let nothing = self.first.constant(f64::NAN);
+        self.curve.error.store(&mut value, 0);
+        self.curve.slope.store(&mut slope, 0);
+        self.curve.bend.store(&mut bend, 0);
+        self.is_there.pick(self.first, nothing).store(&mut first, 0);
+        let mut roots = [Roots::Unclear; LANES];
+        for (lane, roots) in roots.iter_mut().enumerate() {
+            if (bend[lane] - first[lane]).abs() < ALIKE * first[lane].abs() {
+                *roots = parabola(value[lane], slope[lane], bend[lane]);
+            }
+        }
+        roots
+    }
+}
+
+/// The roots of a parabola, by its value and derivatives.
+fn parabola(value: f64, slope: f64, bend: f64) -> Roots {
+    let top = slope / bend;
+    let square = top * top - 2.0 * value / bend;
+    let vague = 2.0 * (NOISE / bend).abs();
+    let is_clear = vague < VAGUE * VAGUE && square.abs() < TOLERANCES.beside * TOLERANCES.beside;
+    if !is_clear {
+        Roots::Unclear
+    } else if square < -2.0 * (BIAS / bend).abs() {
+        Roots::None
+    } else if square < vague {
+        Roots::One((value - 0.5 * slope * top).abs())
+    } else {
+        Roots::Two(square.sqrt())
     }
 }

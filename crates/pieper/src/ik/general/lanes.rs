@@ -9,6 +9,21 @@ use pulp::Simd;
 
 use crate::kinematics::lanes::{magnitude, negative};
 
+/// Runs the body for each index, up to six, written out: only where every index is known do the entries of arrays stay in
+/// registers, and the compiler does not unroll loops as long as these by itself.
+macro_rules! unrolled {
+    ($index:ident of $count:expr, $body:block) => {
+        unrolled!($index of $count, $body, 0 1 2 3 4 5 6)
+    };
+    ($index:ident of $count:expr, $body:block, $($value:literal)*) => {
+        $({
+            let $index = $value;
+            if $index < $count $body
+        })*
+    };
+}
+pub(super) use unrolled;
+
 /// One register of doubles.
 #[derive(Clone, Copy)]
 pub(super) struct Lane<S: Simd> {

@@ -2,7 +2,10 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, square};
+use super::lanes::{
+    Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, scaled, square, unrolled,
+};
+use super::linear::{Factors, Matrix, invert};
 use super::tolerances::TOLERANCES;
 
 /// The arm and a target: `Rz(q1) L1 ... Rz(q6) = target`, the last link being part of the target, lengths scaled.
@@ -16,8 +19,6 @@ pub(super) struct Goal<'a> {
 
 /// Six angles in lanes.
 pub(super) type Angles<S> = [Turn<S>; 6];
-
-type Matrix<S> = [[Lane<S>; 6]; 6];
 
 /// Where the arm is: axes, points on them, and the error of the pose.
 struct Placed<S: Simd> {
@@ -43,7 +44,7 @@ fn place<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Placed<S> {
     let mut origin = [zero; 3];
     let mut axes = [frame[2]; 6];
     let mut origins = [origin; 6];
-    for i in 0..6 {
+    unrolled!(i of 6, {
         axes[i] = frame[2];
         origins[i] = origin;
         let (c, s) = (q[i].cos, q[i].sin);
@@ -68,7 +69,7 @@ fn place<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Placed<S> {
                 }
             }
         }
-    }
+    });
     let position = constant(simd, goal.target.shift);
     let (mut turn, mut trace) = ([zero; 3], zero);
     for j in 0..3 {
@@ -97,16 +98,15 @@ fn place<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Placed<S> {
 impl<S: Simd> Placed<S> {
     /// The geometric Jacobian at the end point.
     #[inline(always)]
-    fn jacobian(&self, slides: &[bool; 6]) -> Matrix<S> {
+    fn jacobian(&self, slides: &[bool; 6]) -> Matrix<S, 6> {
         let mut rows = [[self.error[0]; 6]; 6];
-        for j in 0..6 {
+        unrolled!(j of 6, {
             if slides[j] {
                 for k in 0..3 {
                     rows[k][j] = self.axes[j][k];
                     rows[3 + k][j] = self.error[0].constant(0.0);
                 }
-                continue;
-            }
+            } else {
             let (end, origin) = (&self.end, &self.origins[j]);
             let arm = [end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]];
             let velocity = cross(&self.axes[j], &arm);
@@ -114,8 +114,46 @@ impl<S: Simd> Placed<S> {
                 rows[k][j] = velocity[k];
                 rows[3 + k][j] = self.axes[j][k];
             }
-        }
+            }
+        });
         rows
+    }
+
+    /// The acceleration of the end, its shift and then its turn, at constant joint velocities.
+    #[inline(always)]
+    fn acceleration(&self, slides: &[bool; 6], velocities: &[Lane<S>; 6]) -> [Lane<S>; 6] {
+        let zero = self.size.constant(0.0);
+        let two = zero.constant(2.0);
+        let (mut turning, mut turn, mut shift) = ([zero; 3], [zero; 3], [zero; 3]);
+        for j in 0..6 {
+            let along = scaled(&self.axes[j], velocities[j]);
+            let across = cross(&turning, &along);
+            for k in 0..3 {
+                if slides[j] {
+                    shift[k] = two.mul_add(across[k], shift[k]);
+                } else {
+                    turn[k] = turn[k] + across[k];
+                    turning[k] = turning[k] + along[k];
+                }
+            }
+            let next = if j < 5 {
+                &self.origins[j + 1]
+            } else {
+                &self.end
+            };
+            let origin = &self.origins[j];
+            let arm = [
+                next[0] - origin[0],
+                next[1] - origin[1],
+                next[2] - origin[2],
+            ];
+            let (swing, pull) = (cross(&turn, &arm), cross(&turning, &cross(&turning, &arm)));
+            for k in 0..3 {
+                shift[k] = shift[k] + swing[k] + pull[k];
+            }
+        }
+        let ([x, y, z], [a, b, c]) = (shift, turn);
+        [x, y, z, a, b, c]
     }
 }
 
@@ -159,7 +197,7 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
         if active.largest() == 0.0 {
             break;
         }
-        let delta = solve(placed.jacobian(goal.slides), placed.error);
+        let delta = Factors::of(placed.jacobian(goal.slides)).solve(placed.error);
         let length = square(&delta).sqrt();
         let scale = most.less(length).pick(most / length, one);
         let moving = zero.less(active).and(length.less(infinite));
@@ -170,85 +208,69 @@ pub(super) fn newton<S: Simd>(simd: S, goal: &Goal<'_>, q: &mut Angles<S>) -> La
     best
 }
 
-/// `A x = r` by Gaussian elimination with row pivoting in each lane.
-#[inline(always)]
-fn solve<S: Simd, const N: usize>(mut a: [[Lane<S>; N]; N], mut r: [Lane<S>; N]) -> [Lane<S>; N] {
-    let one = r[0].constant(1.0);
-    let tiny = one.constant(1e-300);
-    for k in 0..N {
-        for i in k + 1..N {
-            let larger = a[k][k].abs().less(a[i][k].abs());
-            for j in k..N {
-                let (upper, lower) = (a[k][j], a[i][j]);
-                a[k][j] = larger.pick(lower, upper);
-                a[i][j] = larger.pick(upper, lower);
-            }
-            (r[k], r[i]) = (larger.pick(r[i], r[k]), larger.pick(r[k], r[i]));
-        }
-        let pivot = a[k][k].abs().less(tiny).pick(tiny, a[k][k]);
-        a[k][k] = one / pivot;
-        for i in k + 1..N {
-            let factor = a[i][k] * a[k][k];
-            for j in k + 1..N {
-                a[i][j] = factor.subtract_product(a[k][j], a[i][j]);
-            }
-            r[i] = factor.subtract_product(r[k], r[i]);
-        }
-    }
-    for i in (0..N).rev() {
-        for j in i + 1..N {
-            r[i] = a[i][j].subtract_product(r[j], r[i]);
-        }
-        r[i] = r[i] * a[i][i];
-    }
-    r
+/// The curve on which the error of the pose is along `Measured::left` alone, close to some joint values, parametrised by the
+/// distance along `Measured::free`.
+pub(super) struct Curve<S: Simd> {
+    /// From the joint values onto the curve.
+    pub(super) step: [Lane<S>; 6],
+    /// The joints' derivatives along the curve.
+    pub(super) tangent: [Lane<S>; 6],
+    pub(super) curvature: [Lane<S>; 6],
+    /// The error along `Measured::left`, and its derivatives.
+    pub(super) error: Lane<S>,
+    pub(super) slope: Lane<S>,
+    pub(super) bend: Lane<S>,
 }
 
-/// The null directions near a fold.
-pub(super) struct Frame {
-    /// In the joints.
-    pub(super) free: [f64; 6],
-    /// At the end.
-    pub(super) left: [f64; 6],
+impl<S: Simd> Curve<S> {
+    /// The point of the curve at a distance from the joint values.
+    #[inline(always)]
+    pub(super) fn point(&self, at: &Angles<S>, along: Lane<S>, slides: &[bool; 6]) -> Angles<S> {
+        let half = along * along.constant(0.5);
+        let mut q = *at;
+        for k in 0..6 {
+            let bent = self.curvature[k].mul_add(half, self.tangent[k]);
+            q[k] = at[k].moved(bent.mul_add(along, self.step[k]), slides[k]);
+        }
+        q
+    }
 }
 
-/// Moves every lane to where the error of the pose is along `frame.left` alone, at a distance `along` along `frame.free`.
-/// Returns the error there and the longest of the last steps.
+/// The curve through the neighbourhood of every lane, by `[J u; n^T 0]`, which is regular at a fold.
 #[inline(always)]
-pub(super) fn settle<S: Simd>(
+pub(super) fn curve<S: Simd>(
     simd: S,
     goal: &Goal<'_>,
-    frame: &Frame,
-    q: &mut Angles<S>,
-    along: Lane<S>,
-    steps: usize,
-    enough: f64,
-) -> (Lane<S>, f64) {
-    let zero = Lane::splat(simd, 0.0);
-    let (mut rest, mut error, mut last) = (along, zero, f64::MAX);
-    for _ in 0..steps {
-        let placed = place(simd, goal, q);
-        let jacobian = placed.jacobian(goal.slides);
-        let mut a = [[zero; 7]; 7];
-        let mut r = [rest; 7];
-        for i in 0..6 {
-            a[i][..6].copy_from_slice(&jacobian[i]);
-            a[i][6] = Lane::splat(simd, frame.left[i]);
-            a[6][i] = Lane::splat(simd, frame.free[i]);
-            r[i] = placed.error[i];
-        }
-        let [step @ .., along_left] = solve(a, r);
-        error = along_left;
-        for k in 0..6 {
-            q[k] = q[k].moved(step[k], goal.slides[k]);
-            rest = rest - Lane::splat(simd, frame.free[k]) * step[k];
-        }
-        last = square(&step).sqrt().largest();
-        if last < enough {
-            break;
-        }
+    measured: &Measured<S>,
+    q: &Angles<S>,
+) -> Curve<S> {
+    let (zero, one) = (Lane::splat(simd, 0.0), Lane::splat(simd, 1.0));
+    let placed = place(simd, goal, q);
+    let jacobian = placed.jacobian(goal.slides);
+    let mut a = [[zero; 7]; 7];
+    let mut r = [zero; 7];
+    for i in 0..6 {
+        a[i][..6].copy_from_slice(&jacobian[i]);
+        a[i][6] = measured.left[i];
+        a[6][i] = measured.free[i];
+        r[i] = placed.error[i];
     }
-    (error, last)
+    let factors = Factors::of(a);
+    let [step @ .., error] = factors.solve(r);
+    let [tangent @ .., slope] = factors.solve([zero, zero, zero, zero, zero, zero, one]);
+    let acceleration = placed.acceleration(goal.slides, &tangent);
+    for i in 0..6 {
+        r[i] = -acceleration[i];
+    }
+    let [curvature @ .., bend] = factors.solve(r);
+    Curve {
+        step,
+        tangent,
+        curvature,
+        error,
+        slope,
+        bend,
+    }
 }
 
 /// What is measured at a root.
@@ -259,7 +281,7 @@ pub(super) struct Measured<S: Simd> {
     /// The joint motion that moves the end least, of unit length.
     pub(super) free: [Lane<S>; 6],
     /// The motion of the end that takes most of the joints, of unit length.
-    pub(super) left: [Lane<S>; 6],
+    left: [Lane<S>; 6],
 }
 
 /// Steps of the power method; its start is the largest column already.
@@ -319,44 +341,4 @@ fn divide<S: Simd>(v: &mut [Lane<S>; 6], by: Lane<S>) {
     for k in 0..6 {
         v[k] = v[k] * inverse;
     }
-}
-
-/// The inverse, by Gauss and Jordan with row pivoting in each lane.
-#[inline(always)]
-fn invert<S: Simd>(mut a: Matrix<S>) -> Matrix<S> {
-    let (zero, one) = (a[0][0].constant(0.0), a[0][0].constant(1.0));
-    let tiny = one.constant(1e-30);
-    let mut out = [[zero; 6]; 6];
-    for i in 0..6 {
-        out[i][i] = one;
-    }
-    for k in 0..6 {
-        for i in k + 1..6 {
-            let larger = a[k][k].abs().less(a[i][k].abs());
-            for j in 0..6 {
-                let (upper, lower) = (a[k][j], a[i][j]);
-                a[k][j] = larger.pick(lower, upper);
-                a[i][j] = larger.pick(upper, lower);
-                let (upper, lower) = (out[k][j], out[i][j]);
-                out[k][j] = larger.pick(lower, upper);
-                out[i][j] = larger.pick(upper, lower);
-            }
-        }
-        let pivot = a[k][k].abs().less(tiny).pick(tiny, a[k][k]);
-        let inverse = one / pivot;
-        for j in 0..6 {
-            a[k][j] = a[k][j] * inverse;
-            out[k][j] = out[k][j] * inverse;
-        }
-        for i in 0..6 {
-            if i != k {
-                let factor = a[i][k];
-                for j in 0..6 {
-                    a[i][j] = factor.subtract_product(a[k][j], a[i][j]);
-                    out[i][j] = factor.subtract_product(out[k][j], out[i][j]);
-                }
-            }
-        }
-    }
-    out
 }

@@ -15,7 +15,7 @@
 use pulp::Simd;
 
 use super::elimination::{BLOCK, COLUMNS, Harmonics, ROWS};
-use super::lanes::{Lane, Mask, Turn, Vector, cross, dot, pick, scaled};
+use super::lanes::{Lane, Mask, Turn, Vector, cross, dot, pick, scaled, unrolled};
 use super::number::Number;
 use super::tolerances::TOLERANCES;
 
@@ -132,7 +132,7 @@ fn triangular<S: Simd, N: Number<S>>(
     let tiny = one.constant(f64::MIN_POSITIVE);
     let (mut least, mut most, mut product) =
         (one.constant(f64::MAX), one.constant(0.0), N::of(one));
-    for k in 0..ROWS {
+    unrolled!(k of ROWS, {
         for i in k + 1..ROWS {
             let larger = a[k][k].rounded().abs().less(a[i][k].rounded().abs());
             for j in k..COLUMNS {
@@ -153,7 +153,7 @@ fn triangular<S: Simd, N: Number<S>>(
                 a[i][j] = factor.subtract_product(a[k][j], a[i][j]);
             }
         }
-    }
+    });
     (least, most, product)
 }
 

@@ -5,7 +5,7 @@ use pulp::{Simd, WithSimd};
 use super::back::{self, Links};
 use super::cycle::Case;
 use super::elimination::{Harmonics, Linear};
-use super::fold::Fold;
+use super::fold::Folds;
 use super::isolate::{Candidates, Origin, PAIRS, isolate};
 use super::lanes::{Lane, Mask, Rigid, Turn, square};
 use super::newton::{Angles, Goal, newton};
@@ -187,9 +187,11 @@ impl Elimination {
                 register,
             });
             let used = candidates.pair_count - register * S::F64_LANES;
-            for start in starts.iter().take(used.min(S::F64_LANES)) {
-                match simd.vectorize(Fold { goal, start }) {
-                    Some(told) => told.solutions.add_to(pool),
+            let starts = &starts[..used.min(S::F64_LANES)];
+            let folds = simd.vectorize(Folds { goal, starts });
+            for fold in &folds[..starts.len()] {
+                match fold {
+                    Some(fold) => fold.add_to(pool),
                     None => told = false,
                 }
             }

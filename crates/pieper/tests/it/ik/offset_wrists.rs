@@ -64,7 +64,7 @@ fn arm(random: &mut fastrand::Rng, twist: f64) -> [[Pose; 6]; 2] {
 }
 
 fn distance(root: &Root, q: &[f64; 6]) -> f64 {
-    root.q.iter().zip(q).fold(0.0, |most, (a, b)| {
+    root.q().iter().zip(q).fold(0.0, |most, (a, b)| {
         let turns = (a - b) / TAU;
         most.max((turns - turns.round()).abs() * TAU)
     })
@@ -113,7 +113,7 @@ fn the_equation_finds_what_the_elimination_finds() {
             compared += 1;
             assert_eq!(found.len(), other.len(), "{q:?}");
             for root in found.iter() {
-                let near = |one: &&Root| distance(root, &one.q) < 1e-5;
+                let near = |one: &&Root| distance(root, &one.q()) < 1e-5;
                 assert_eq!(other.iter().filter(near).count(), 1, "{q:?}");
             }
         }

@@ -5,7 +5,7 @@ use pulp::{Simd, WithSimd};
 
 use super::equation::Values;
 use super::finish::Finish;
-use crate::ik::general::fold::Fold;
+use crate::ik::general::fold::{Folds, SAME};
 use crate::ik::general::lanes::{Lane, Turn};
 use crate::ik::general::list::List;
 use crate::ik::general::newton::{error, newton};
@@ -28,8 +28,8 @@ const WAYS: usize = 8;
 
 /// A start whose error is larger is none.
 const START: f64 = 0.1;
-/// Starts, or tops of folds, that are closer in sines and cosines are one.
-const SAME: f64 = 1e-4;
+/// Of a start that is as good as a solution.
+const CLOSE: f64 = 1e-4;
 
 impl WithSimd for Pair<'_> {
     /// Whether that is all: a fold, or two solutions that share the angle; for an arm with solutions on both sides of axis 1
@@ -46,25 +46,38 @@ impl WithSimd for Pair<'_> {
             return true;
         }
         let wanted = 1 << u32::from(finish.offset.symmetric);
-        let (mut tried, mut folds) = (List::new(), List::new());
-        let mut alone: Option<Pool> = None;
         let starts = self.starts(simd, angle, &at);
+        let mut tried: List<Point, WAYS> = List::new();
+        // Of those that are close none is kept waiting by others.
+        let mut close = 0;
         for start in &starts {
-            if folds.len() == wanted {
-                break;
+            if start.error < START {
+                push_new(&mut tried, &start.point);
             }
-            if start.error.is_nan() || start.error >= START || !push_new(&mut tried, &start.point) {
-                continue;
+            if start.error < CLOSE {
+                close = tried.len();
             }
-            let fold = Fold {
+        }
+        let (close, others) = tried.split_at(close);
+        let mut tops = List::new();
+        let mut alone: Option<Pool> = None;
+        for some in close
+            .chunks(S::F64_LANES)
+            .chain(others.chunks(S::F64_LANES))
+        {
+            let folds = simd.vectorize(Folds {
                 goal: finish.goal,
-                start: &start.point,
-            };
-            if let Some(told) = simd.vectorize(fold) {
-                if self.is_at(&told.top) && push_new(&mut folds, &told.top) {
-                    told.solutions.add_to(self.pool);
+                starts: some,
+            });
+            for fold in folds.iter().flatten() {
+                if tops.len() < wanted && self.is_at(&fold.top) && push_new(&mut tops, &fold.top) {
+                    fold.add_to(self.pool);
                 }
-            } else if alone.is_none() {
+            }
+            if tops.len() == wanted {
+                return true;
+            }
+            if alone.is_none() {
                 let found = self.follow(simd, &starts);
                 if self.sharing(&found) == 2 * wanted {
                     found.add_to(self.pool);
@@ -73,12 +86,10 @@ impl WithSimd for Pair<'_> {
                 alone = Some(found);
             }
         }
-        if folds.len() < wanted
-            && let Some(found) = alone
-        {
+        if let Some(found) = alone {
             found.add_to(self.pool);
         }
-        folds.len() == wanted
+        false
     }
 }
 
@@ -113,10 +124,10 @@ impl Pair<'_> {
     fn follow<S: Simd>(&self, simd: S, starts: &[Start; WAYS]) -> Pool {
         let points = starts.map(|start| start.point);
         let mut found = Pool::new();
-        for register in 0..WAYS / S::F64_LANES {
-            let mut q = gather(simd, &points[register * S::F64_LANES..]);
+        for points in points.chunks(S::F64_LANES) {
+            let mut q = gather(simd, points);
             let errors = newton(simd, self.finish.goal, &mut q);
-            found.add(&q, errors, S::F64_LANES, TOLERANCES.closes_well);
+            found.add(&q, errors, points.len(), TOLERANCES.closes_well);
         }
         found
     }

@@ -15,10 +15,6 @@ use crate::spatial::Pose;
 #[derive(Debug)]
 struct Elimination(General);
 
-/// Below this smallest singular value copies of one root may come out side by side, or a family pass through it: the
-/// elimination calls such roots singular.
-const SINGULAR: f64 = 1e-7;
-
 /// Prepares an arm of six joints, each with a variable of its own, of which up to two slide.
 pub(super) fn prepare(arm: &Arm, _: &Structure, class: Class) -> Option<Arc<dyn Prepared>> {
     if class != Class::General || !arm.is_independent() {
@@ -69,11 +65,11 @@ impl Prepared for Elimination {
         let mut roots = Roots::default();
         self.0.solve(target, &mut roots);
         for (index, root) in roots.iter().enumerate() {
-            let singular = root.sigma < SINGULAR;
+            // Copies of one root may come out side by side, or a family pass through it.
             let marks = Marks {
-                multiplicity: 1,
-                edge: singular,
-                free: singular,
+                multiplicity: root.multiplicity,
+                edge: root.open,
+                free: root.open,
             };
             let branch = Branch {
                 root: index as u8 + 1,

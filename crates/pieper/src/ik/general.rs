@@ -99,6 +99,10 @@ pub struct Root {
     /// Smallest singular value of the Jacobian, lengths scaled so that the arm's links add up to 3: small near
     /// singularities, zero on families and at double roots.
     pub sigma: f64,
+    /// How many roots it stands for: 2 where two are closer than rounding tells apart.
+    pub multiplicity: u8,
+    /// It is singular, and whether it stands alone, and for how many roots, was not told.
+    pub open: bool,
     slides: [bool; 6],
 }
 

@@ -2,11 +2,11 @@
 
 use pulp::Simd;
 
+use super::fold;
 use super::newton::Goal;
 use super::pool::{CAPACITY, MAX_ROOTS, Pool};
 use super::siblings;
 use super::single::Target;
-use super::tolerances::TOLERANCES;
 use super::trial::MOST;
 use super::{Completeness, General, Root, Roots};
 
@@ -34,14 +34,15 @@ pub(super) fn run<S: Simd>(
             .run(simd, &general.tables, goal, target, &mut pool)
             .doubt;
         // Of merged roots one is listed: where nothing was in doubt, an odd number is none either.
-        let is_whole = |pool: &Pool| !doubt.drowned || pool.count.is_multiple_of(2);
+        let is_whole = |pool: &Pool| !doubt.drowned || pool.roots().is_multiple_of(2);
         if !doubt.near_miss && is_whole(&pool) {
             siblings::measure_new(simd, goal, &pool, 0, &mut sigma);
             if doubt.drowned && !siblings::paired(&pool, &sigma) {
                 siblings::search(simd, goal, &mut pool, &mut sigma);
             }
+            fold::ask(simd, goal, &mut pool, &mut sigma);
             pool.merge(&mut sigma);
-            let singular = singular(&pool, &sigma) != 0;
+            let singular = pool.open(&sigma) != 0;
             if singular || is_whole(&pool) {
                 write(general, &pool, &sigma, out);
                 return match singular {
@@ -68,7 +69,7 @@ pub(super) fn run<S: Simd>(
         let is_all = pool.hit.count_ones() as usize == pool.count;
         if let Some(lone) = doubt.alone.filter(|_| is_all) {
             siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
-            let singular = singular(&pool, &sigma);
+            let singular = pool.open(&sigma);
             if singular & lone == 0 {
                 pool.merge(&mut sigma);
                 write(general, &pool, &sigma, out);
@@ -84,6 +85,7 @@ pub(super) fn run<S: Simd>(
             continue;
         }
         siblings::measure_new(simd, goal, &pool, measured, &mut sigma);
+        fold::ask(simd, goal, &mut pool, &mut sigma);
         if pool.merge(&mut sigma) {
             // The numbers of the roots have changed.
             reports = [Report::default(); MOST + 1];
@@ -92,7 +94,7 @@ pub(super) fn run<S: Simd>(
         }
         measured = pool.count;
         agreed = agree(&pool, &sigma, &reports[..run], pool.count > before)
-            && (run >= general.least + EXTRA_SINGULAR || singular(&pool, &sigma) == 0);
+            && (run >= general.least + EXTRA_SINGULAR || pool.open(&sigma) == 0);
         if agreed {
             break;
         }
@@ -101,11 +103,12 @@ pub(super) fn run<S: Simd>(
     if !(agreed && siblings::paired(&pool, &sigma)) {
         siblings::search(simd, goal, &mut pool, &mut sigma);
     }
+    fold::ask(simd, goal, &mut pool, &mut sigma);
     pool.merge(&mut sigma);
-    let singular = singular(&pool, &sigma) != 0;
+    let singular = pool.open(&sigma) != 0;
     write(general, &pool, &sigma, out);
     let eliminations = run as u8;
-    let whole = pool.count <= MAX_ROOTS && pool.count.is_multiple_of(2);
+    let whole = pool.count <= MAX_ROOTS && pool.roots().is_multiple_of(2);
     if singular {
         Completeness::Singular { eliminations }
     } else if whole && agreed {
@@ -115,17 +118,13 @@ pub(super) fn run<S: Simd>(
     }
 }
 
-/// The singular roots: copies of a double root, members of a family. There may be new ones every time, they say nothing.
-fn singular(pool: &Pool, sigma: &[f64; CAPACITY]) -> u64 {
-    pool.mask(sigma, |s| s < TOLERANCES.doubles)
-}
-
-/// Whether the eliminations agree on the regular roots.
+/// Whether the eliminations agree on the roots that are not open: of those there may be new copies every time, they say nothing.
 fn agree(pool: &Pool, sigma: &[f64; CAPACITY], reports: &[Report], grown: bool) -> bool {
-    let regular = pool.mask(sigma, |s| s >= TOLERANCES.doubles);
+    let open = pool.open(sigma);
+    let listed = (1 << pool.count) - 1;
     let (mut whole, mut clear) = (0, 0);
     for report in reports {
-        if regular & !report.hit == 0 {
+        if listed & !open & !report.hit == 0 {
             whole += 1;
             clear += usize::from(report.clear);
         }
@@ -133,7 +132,7 @@ fn agree(pool: &Pool, sigma: &[f64; CAPACITY], reports: &[Report], grown: bool) 
     if pool.count == 0 {
         return clear >= 2 && reports.len() >= LEAST_EMPTY;
     }
-    let settled = singular(pool, sigma) != 0 || (pool.count.is_multiple_of(2) && !grown);
+    let settled = open != 0 || (pool.roots().is_multiple_of(2) && !grown);
     settled && whole >= 2 && clear >= 1
 }
 
@@ -166,6 +165,8 @@ fn write(general: &General, pool: &Pool, sigma: &[f64; CAPACITY], out: &mut Root
             slides: general.arm.slides,
             residual: pool.errors[index] / general.arm.scale.min(1.0),
             sigma: sigma[index],
+            multiplicity: pool.told[index].max(1),
+            open: pool.is_open(sigma, index),
         };
     }
 }

@@ -11,7 +11,8 @@ use pulp::{Simd, WithSimd};
 use super::lanes::{Lane, Mask, square};
 use super::list::List;
 use super::newton::{Angles, Curve, Goal, curve, measure, newton};
-use super::pool::{Point, Pool, distance, gather, scatter};
+use super::pool::{CAPACITY, Point, Pool, distance, gather, scatter};
+use super::siblings;
 use super::tolerances::TOLERANCES;
 
 /// Tells apart the solutions beside points that are close to folds, as many as a register takes.
@@ -27,8 +28,12 @@ pub(super) struct Told {
     pub(super) top: Point,
     /// And the errors of their poses.
     solutions: List<(Point, f64), 2>,
+    /// The joints have no second direction that nearly keeps the pose: there is nothing else close to the fold.
+    is_simple: bool,
 }
 
+/// Where the curve is bent more, per radian, a second direction nearly keeps the pose.
+const CURVED: f64 = 1e3;
 /// Lanes of the widest register.
 const LANES: usize = 8;
 
@@ -51,8 +56,6 @@ const NOISE: f64 = 1e-15;
 const BIAS: f64 = 1e-14;
 /// Radians: a parabola that leaves its roots less certain is none.
 const VAGUE: f64 = 1e-5;
-/// Tops that are closer in sines and cosines are one.
-pub(super) const SAME: f64 = 1e-4;
 /// Radians: solutions that are farther from the top must come out as two.
 const DISTINCT: f64 = 1e-6;
 
@@ -65,6 +68,8 @@ impl WithSimd for Folds<'_, '_> {
         let tops = self.tops(simd);
         let roots = tops.roots();
         let points = scatter(&tops.point(Lane::splat(simd, 0.0), self.goal.slides));
+        let mut curvatures = [0.0; LANES];
+        square(&tops.curve.curvature).store(&mut curvatures, 0);
         let mut told = [const { None }; LANES];
         let mut halves = [0.0; LANES];
         for lane in 0..self.starts.len().min(S::F64_LANES) {
@@ -76,7 +81,11 @@ impl WithSimd for Folds<'_, '_> {
                 Roots::One(error) => solutions.push((top, error)),
                 Roots::Two(half) => halves[lane] = half,
             }
-            told[lane] = Some(Told { top, solutions });
+            told[lane] = Some(Told {
+                top,
+                solutions,
+                is_simple: curvatures[lane] < CURVED * CURVED,
+            });
         }
         // Starts beside the same fold: the first of them solves it.
         let twins = twins(&told);
@@ -174,6 +183,31 @@ impl Folds<'_, '_> {
     }
 }
 
+/// Asks the folds beside solutions that are open for how many roots they stand. The copies are left to [`Pool::merge`].
+#[inline(always)]
+pub(super) fn ask<S: Simd>(simd: S, goal: &Goal<'_>, pool: &mut Pool, sigma: &mut [f64; CAPACITY]) {
+    let mut open: List<Point, CAPACITY> = List::new();
+    for index in 0..pool.count {
+        let point = &pool.points[index];
+        let is_new = |other: &Point| distance(other, point) >= TOLERANCES.same_fold;
+        if pool.is_open(sigma, index) && open.iter().all(is_new) {
+            open.push(*point);
+        }
+    }
+    if open.is_empty() {
+        return;
+    }
+    let (hit, count) = (pool.hit, pool.count);
+    for starts in open.chunks(S::F64_LANES) {
+        for fold in simd.vectorize(Folds { goal, starts }).iter().flatten() {
+            fold.add_to(pool);
+        }
+    }
+    // Found are only those of which a copy was found.
+    pool.hit = hit;
+    siblings::measure_new(simd, goal, pool, count, sigma);
+}
+
 impl Told {
     fn add(&mut self, point: &Point, error: f64) {
         let mut others = self.solutions.iter();
@@ -184,8 +218,13 @@ impl Told {
     }
 
     pub(super) fn add_to(&self, pool: &mut Pool) {
+        let roots = match (self.is_simple, self.solutions.len()) {
+            (false, _) => 0,
+            (true, 1) => 2,
+            (true, _) => 1,
+        };
         for (point, error) in self.solutions.iter() {
-            pool.insert(point, *error);
+            pool.insert(point, *error, roots);
         }
     }
 }
@@ -197,7 +236,7 @@ fn twins(told: &[Option<Told>; LANES]) -> [usize; LANES] {
         let Some(own) = &told[start] else { continue };
         let is_same = |other: &Option<Told>| {
             let other = other.as_ref();
-            other.is_some_and(|other| distance(&other.top, &own.top) < SAME)
+            other.is_some_and(|other| distance(&other.top, &own.top) < TOLERANCES.same_fold)
         };
         *twin = told.iter().position(is_same).unwrap_or(start);
     }

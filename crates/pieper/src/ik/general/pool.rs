@@ -20,6 +20,8 @@ pub(super) struct Pool {
     pub(super) count: usize,
     pub(super) points: [Point; CAPACITY],
     pub(super) errors: [f64; CAPACITY],
+    /// For how many roots each stands, where a fold told: 2 for a double one; 0 where none did.
+    pub(super) told: [u8; CAPACITY],
     /// One bit for each solution that the current elimination found.
     pub(super) hit: u64,
 }
@@ -30,6 +32,7 @@ impl Pool {
             count: 0,
             points: [[0.0; 12]; CAPACITY],
             errors: [0.0; CAPACITY],
+            told: [0; CAPACITY],
             hit: 0,
         }
     }
@@ -39,12 +42,22 @@ impl Pool {
         self.hit = 0;
     }
 
-    /// The solutions whose smallest singular value is as `wanted`, one bit each.
-    pub(super) fn mask(&self, sigma: &[f64; CAPACITY], wanted: impl Fn(f64) -> bool) -> u64 {
-        let bits = sigma[..self.count].iter().enumerate();
-        bits.fold(0, |mask, (index, &s)| {
-            mask | (u64::from(wanted(s)) << index)
+    /// Whether a solution is singular, and no fold told for how many roots it stands.
+    pub(super) fn is_open(&self, sigma: &[f64; CAPACITY], index: usize) -> bool {
+        self.told[index] == 0 && sigma[index] < TOLERANCES.doubles
+    }
+
+    /// Those that are, one bit each: copies of a double root, members of a family.
+    pub(super) fn open(&self, sigma: &[f64; CAPACITY]) -> u64 {
+        (0..self.count).fold(0, |mask, index| {
+            mask | (u64::from(self.is_open(sigma, index)) << index)
         })
+    }
+
+    /// For how many roots the solutions stand, as far as it is known.
+    pub(super) fn roots(&self) -> usize {
+        let told = self.told[..self.count].iter();
+        told.map(|&roots| usize::from(roots.max(1))).sum()
     }
 
     /// Merges copies of singular solutions: rounding of the pose moves their joints by its size over sigma. True if there
@@ -55,8 +68,14 @@ impl Pool {
         while index < self.count {
             let copy = (0..index).find(|&kept| {
                 let s = sigma[kept].max(sigma[index]);
-                let allowed =
-                    (TOLERANCES.scatter / s).clamp(TOLERANCES.same, TOLERANCES.most_scatter);
+                let allowed = match (self.told[kept], self.told[index]) {
+                    (0, 0) => {
+                        (TOLERANCES.scatter / s).clamp(TOLERANCES.same, TOLERANCES.most_scatter)
+                    }
+                    (1, 1) => TOLERANCES.same,
+                    // Beside a fold there is nothing but what it told.
+                    _ => TOLERANCES.same_fold,
+                };
                 s < TOLERANCES.singular
                     && distance(&self.points[kept], &self.points[index]) < allowed
             });
@@ -66,9 +85,11 @@ impl Pool {
             };
             let last = self.count - 1;
             // The joints' error at a double root grows with sigma: the smaller one is the better copy.
-            if sigma[index] < sigma[kept] && self.errors[index] < TOLERANCES.closes_well {
+            let better = sigma[index] < sigma[kept] && self.errors[index] < TOLERANCES.closes_well;
+            if (self.told[kept], better) < (self.told[index], true) {
                 self.points[kept] = self.points[index];
                 self.errors[kept] = self.errors[index];
+                self.told[kept] = self.told[index];
                 sigma[kept] = sigma[index];
             }
             if (self.hit >> index) & 1 == 1 {
@@ -76,6 +97,7 @@ impl Pool {
             }
             self.points.copy_within(index + 1..=last, index);
             self.errors.copy_within(index + 1..=last, index);
+            self.told.copy_within(index + 1..=last, index);
             sigma.copy_within(index + 1..=last, index);
             let below = (1_u64 << index) - 1;
             self.hit = (self.hit & below) | ((self.hit >> 1) & !below);
@@ -92,33 +114,42 @@ impl Pool {
         let points = scatter(q);
         for lane in 0..used.min(8) {
             if error[lane] <= most {
-                self.insert(&points[lane], error[lane]);
+                self.insert(&points[lane], error[lane], 0);
             }
         }
     }
 
     /// Adds all of them to others.
     pub(super) fn add_to(&self, pool: &mut Self) {
-        for (point, &error) in self.points.iter().zip(&self.errors).take(self.count) {
-            pool.insert(point, error);
+        for index in 0..self.count {
+            pool.insert(&self.points[index], self.errors[index], self.told[index]);
         }
     }
 
     /// Adds a solution unless it is there; either way it counts as hit.
-    pub(super) fn insert(&mut self, point: &Point, error: f64) {
+    pub(super) fn insert(&mut self, point: &Point, error: f64, told: u8) {
+        let (mut nearest, mut least) = (0, f64::INFINITY);
         for index in 0..self.count {
-            if distance(point, &self.points[index]) < TOLERANCES.same {
-                self.hit |= 1 << index;
-                if error < self.errors[index] {
-                    self.points[index] = *point;
-                    self.errors[index] = error;
-                }
-                return;
+            let away = distance(point, &self.points[index]);
+            if away < least {
+                (nearest, least) = (index, away);
             }
+        }
+        // Beside a fold there is nothing but what it told.
+        let is_copy = told == 0 && least < TOLERANCES.same_fold && self.told[nearest] > 0;
+        if is_copy || least < TOLERANCES.same {
+            self.hit |= 1 << nearest;
+            if (told, -error) > (self.told[nearest], -self.errors[nearest]) {
+                self.points[nearest] = *point;
+                self.errors[nearest] = error;
+                self.told[nearest] = told;
+            }
+            return;
         }
         if self.count < CAPACITY {
             self.points[self.count] = *point;
             self.errors[self.count] = error;
+            self.told[self.count] = told;
             self.hit |= 1 << self.count;
             self.count += 1;
         }

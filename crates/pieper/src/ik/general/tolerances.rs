@@ -51,6 +51,8 @@ pub(super) struct Tolerances {
     pub(super) closes_well: f64,
     /// Two roots whose joints differ by less, in sines and cosines, are one.
     pub(super) same: f64,
+    /// Solutions, or tops of folds, whose joints differ by less, in sines and cosines, are of the same fold.
+    pub(super) same_fold: f64,
     /// Smallest singular value below which roots may be double: their number then says nothing.
     pub(super) doubles: f64,
     /// What rounding does to a pose: over sigma, it is how far copies of a singular root lie apart.
@@ -84,6 +86,7 @@ pub(super) const TOLERANCES: Tolerances = Tolerances {
     closes: 1e-10,
     closes_well: 1e-12,
     same: 1e-7,
+    same_fold: 1e-4,
     scatter: 1e-14,
     most_scatter: 1e-6,
     doubles: 1e-7,

@@ -210,7 +210,7 @@ impl Trial<'_> {
                 (false, true) => q[k - 6],
                 (false, false) => q[k - 6].sin(),
             });
-            pool.insert(&point, 0.0);
+            pool.insert(&point, 0.0, 0);
             let mut sigma = [0.0; super::pool::CAPACITY];
             let goal = self.goal(&target);
             super::siblings::measure_new(simd, &goal, &pool, 0, &mut sigma);

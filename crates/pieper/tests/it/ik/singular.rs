@@ -1,12 +1,12 @@
 //! At and near singular poses: no root lost, none listed twice, families recognised.
 
 use super::random_arms::{Row, sigma};
-use super::{check_closes, closed_forms, contains};
+use super::{check_closes, closed_forms, contains, distance};
 use crate::support::{difference, random_joints};
 use nalgebra::DMatrix;
 use pieper::describe::Robot;
 use pieper::ik::classify::Class;
-use pieper::ik::{Solutions, Solver, Status};
+use pieper::ik::{Solution, Solutions, Solver, Status};
 use pieper::kinematics::{Jacobian, Reference, pose_and_jacobian, tool_pose};
 use pieper::spatial::shift;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -197,6 +197,39 @@ fn roots_beside_any_singularity_are_in_the_set() {
         }
     }
     assert!(tried > 600, "only {tried}");
+}
+
+/// Real roots come in pairs: where two merge, the one that is listed counts as two, and the sum is even. But for flat folds, whose
+/// roots rounding moves by some 1e-6: copies of them are listed, or counted.
+#[test]
+fn merged_roots_count_as_two() {
+    let mut random = fastrand::Rng::with_seed(23);
+    let mut solvers: Vec<Solver> = (0..40).map(|_| offset_wrist(&mut random)).collect();
+    solvers.extend((0..10).map(|_| general()));
+    let (mut tried, mut wrong) = (0, Vec::new());
+    for solver in &solvers {
+        for _ in 0..20 {
+            let joint = random.usize(1..5);
+            let Some(q) = beside(solver, joint, &mut random) else {
+                continue;
+            };
+            let pose = tool_pose(solver.chain(), &q).unwrap();
+            let found = solver.solve(&pose).unwrap();
+            if found.status() != Status::Solved {
+                continue;
+            }
+            let near = |s: &&Solution| distance(solver.chain(), s.q(), &q) < 1e-6;
+            let here = found.iter().filter(near).map(|s| s.multiplicity);
+            let all = found.iter().map(|s| u32::from(s.multiplicity));
+            let (here, all) = (here.collect::<Vec<_>>(), all.sum::<u32>());
+            if here != [2] || !all.is_multiple_of(2) {
+                wrong.push((q, found.as_slice().to_vec()));
+            }
+            tried += 1;
+        }
+    }
+    assert!(tried > 300, "only {tried}");
+    assert!(wrong.len() <= tried / 100, "{tried}: {wrong:?}");
 }
 
 /// How well a pose tells joint values: what rounding moves them by.

@@ -5,7 +5,7 @@ use pulp::{Simd, WithSimd};
 
 use super::equation::Values;
 use super::finish::Finish;
-use crate::ik::general::fold::{Folds, SAME};
+use crate::ik::general::fold::Folds;
 use crate::ik::general::lanes::{Lane, Turn};
 use crate::ik::general::list::List;
 use crate::ik::general::newton::{error, newton};
@@ -181,7 +181,9 @@ impl Pair<'_> {
 
 /// Adds a point; false if it is there.
 fn push_new(points: &mut List<Point, WAYS>, point: &Point) -> bool {
-    let is_new = points.iter().all(|other| distance(other, point) >= SAME);
+    let is_new = points
+        .iter()
+        .all(|other| distance(other, point) >= TOLERANCES.same_fold);
     if is_new {
         points.push(*point);
     }

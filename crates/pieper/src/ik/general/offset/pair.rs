@@ -37,7 +37,7 @@ impl WithSimd for Pair<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
+    fn with_simd<S: Simd>(mut self, simd: S) -> bool {
         let finish = self.finish;
         let angle = self.angle(simd);
         let at = finish.equation.at(angle);
@@ -60,36 +60,24 @@ impl WithSimd for Pair<'_> {
         }
         let (close, others) = tried.split_at(close);
         let mut tops = List::new();
-        let mut alone: Option<Pool> = None;
-        for some in close
-            .chunks(S::F64_LANES)
-            .chain(others.chunks(S::F64_LANES))
-        {
-            let folds = simd.vectorize(Folds {
-                goal: finish.goal,
-                starts: some,
-            });
-            for fold in folds.iter().flatten() {
-                if tops.len() < wanted && self.is_at(&fold.top) && push_new(&mut tops, &fold.top) {
-                    fold.add_to(self.pool);
-                }
-            }
-            if tops.len() == wanted {
-                return true;
-            }
-            if alone.is_none() {
-                let found = self.follow(simd, &starts);
-                if self.sharing(&found) == 2 * wanted {
-                    found.add_to(self.pool);
-                    return true;
-                }
-                alone = Some(found);
-            }
+        for starts in close.chunks(S::F64_LANES) {
+            self.tell(simd, starts, &mut tops);
         }
-        if let Some(found) = alone {
+        if tops.len() == wanted {
+            return true;
+        }
+        let found = self.follow(simd, &starts);
+        if self.sharing(&found) == 2 * wanted {
+            found.add_to(self.pool);
+            return true;
+        }
+        for starts in others.chunks(S::F64_LANES) {
+            self.tell(simd, starts, &mut tops);
+        }
+        if tops.len() != wanted {
             found.add_to(self.pool);
         }
-        false
+        tops.len() == wanted
     }
 }
 
@@ -101,6 +89,17 @@ struct Start {
 }
 
 impl Pair<'_> {
+    /// Adds what the folds beside the starts tell, if they are the pair's and new.
+    #[inline(always)]
+    fn tell<S: Simd>(&mut self, simd: S, starts: &[Point], tops: &mut List<Point, WAYS>) {
+        let goal = self.finish.goal;
+        for fold in simd.vectorize(Folds { goal, starts }).iter().flatten() {
+            if self.is_at(&fold.top) && push_new(tops, &fold.top) {
+                fold.add_to(self.pool);
+            }
+        }
+    }
+
     /// Whether the unknown is that of the pair.
     fn is_at(&self, point: &Point) -> bool {
         let unknown = self.finish.offset.unknown();

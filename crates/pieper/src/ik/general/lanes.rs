@@ -9,7 +9,7 @@ use pulp::Simd;
 
 use crate::kinematics::lanes::{magnitude, negative};
 
-/// Runs the body for each index, up to six, written out: only where every index is known do the entries of arrays stay in
+/// Runs the body for each index, of up to seven, written out: only where every index is known do the entries of arrays stay in
 /// registers, and the compiler does not unroll loops as long as these by itself.
 macro_rules! unrolled {
     ($index:ident of $count:expr, $body:block) => {

@@ -1,4 +1,5 @@
-//! Newton's method on the true arm, one root in each lane, and the measures of a root: error, smallest singular value.
+//! Newton's method on the true arm, one root in each lane, and what is measured there: the error, the smallest singular value, and
+//! the curve along which a fold's error is a parabola.
 
 use pulp::Simd;
 
@@ -107,13 +108,13 @@ impl<S: Simd> Placed<S> {
                     rows[3 + k][j] = self.error[0].constant(0.0);
                 }
             } else {
-            let (end, origin) = (&self.end, &self.origins[j]);
-            let arm = [end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]];
-            let velocity = cross(&self.axes[j], &arm);
-            for k in 0..3 {
-                rows[k][j] = velocity[k];
-                rows[3 + k][j] = self.axes[j][k];
-            }
+                let (end, origin) = (&self.end, &self.origins[j]);
+                let arm = [end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]];
+                let velocity = cross(&self.axes[j], &arm);
+                for k in 0..3 {
+                    rows[k][j] = velocity[k];
+                    rows[3 + k][j] = self.axes[j][k];
+                }
             }
         });
         rows

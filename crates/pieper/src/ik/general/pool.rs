@@ -126,7 +126,8 @@ impl Pool {
         }
     }
 
-    /// Adds a solution unless it is there; either way it counts as hit.
+    /// Adds a solution unless it is there; either way it counts as hit. What a fold told (see [`Pool::told`]) is better than what
+    /// none did, and the smaller error otherwise.
     pub(super) fn insert(&mut self, point: &Point, error: f64, told: u8) {
         let (mut nearest, mut least) = (0, f64::INFINITY);
         for index in 0..self.count {

@@ -27,7 +27,8 @@ pub enum Place {
 /// A simulated controller that runs. Dropped, it is switched off.
 pub struct Served {
     address: Address,
-    faults: Sender<Fault>,
+    /// Each with a line on which to say that it has come.
+    faults: Sender<(Fault, Sender<()>)>,
     motors: Arc<Mutex<Vec<f64>>>,
     off: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
@@ -104,10 +105,13 @@ impl Served {
         &self.address
     }
 
-    /// Lets something go wrong.
+    /// Lets something go wrong. It has when this returns: what is sent to the controller afterwards meets it.
     pub fn inject(&self, fault: Fault) {
-        // One that is switched off has no weather.
-        let _ = self.faults.send(fault);
+        let (come, has_come) = channel();
+        // One that is switched off has no weather: both lines are cut then.
+        if self.faults.send((fault, come)).is_ok() {
+            let _ = has_come.recv();
+        }
     }
 
     /// Where the motors really are, radians and metres.
@@ -144,7 +148,7 @@ struct Server {
     device: Box<dyn Device>,
     line: Line,
     weather: Weather,
-    faults: Receiver<Fault>,
+    faults: Receiver<(Fault, Sender<()>)>,
     motors: Arc<Mutex<Vec<f64>>>,
     off: Arc<AtomicBool>,
 }
@@ -157,7 +161,7 @@ impl Server {
         let mut due = Duration::ZERO;
         while !self.off.load(Ordering::SeqCst) {
             let now = start.elapsed();
-            while let Ok(fault) = self.faults.try_recv() {
+            while let Ok((fault, come)) = self.faults.try_recv() {
                 if fault == Fault::Unplug {
                     return;
                 }
@@ -165,6 +169,8 @@ impl Server {
                     true => self.weather.inject(fault),
                     false => self.device.inject(now, fault),
                 }
+                // Whoever did it need not have waited.
+                let _ = come.send(());
             }
             let wait = due.saturating_sub(start.elapsed());
             match self.line.read(&mut buffer, wait) {

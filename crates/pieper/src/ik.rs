@@ -34,6 +34,7 @@ mod fewer;
 pub mod general;
 mod goal;
 mod kernel;
+mod lanes;
 mod limits;
 mod locked;
 mod nearest;

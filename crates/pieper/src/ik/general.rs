@@ -26,7 +26,6 @@ mod cycle;
 mod elimination;
 mod fold;
 mod isolate;
-mod lanes;
 mod line;
 mod linear;
 mod list;
@@ -50,8 +49,8 @@ mod way;
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::error::{Error, Result};
+use crate::ik::lanes::Rigid;
 use crate::spatial::{self, Pose};
-use lanes::Rigid;
 use nalgebra::Vector3;
 use newton::Goal;
 use single::Target;

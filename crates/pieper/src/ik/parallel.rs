@@ -18,7 +18,7 @@ use super::registry::Prepared;
 use super::sink::{Marks, Sink};
 use super::solutions::{Branch, Elbow, Shoulder, Wrist};
 use super::spherical::turn_z;
-use super::wide::{self, Closed, Closing, FOUR, Sines};
+use super::wide::{self, Closed, Closing, FOUR, Sines, Turning};
 use crate::spatial::Pose;
 
 /// The loop opened behind the three parallel axes `a, b, c`, as for the spherical wrist:
@@ -77,13 +77,17 @@ impl Prepared for ThreeParallel {
         };
         let links = [at(0), at(1), at(2), at(3)];
         let equations = Loop::new(links, &self.triangle, self.size, sink.slack());
-        let outers = equations.outers(sink);
+        let mut outers = Outers::new();
+        equations.solve(&mut outers, sink);
         let outers = &outers.list[..outers.len];
-        let closed = equations.close_all(self, outers);
         let mut clear = [false; FOUR];
-        if let Some((closed, d, f)) = &closed {
-            clear = closed.clear;
-            self.propose(outers, closed, [d, f], sink);
+        if let Some(lanes) = equations.lanes(outers) {
+            let closed = wide::run(&equations.closing(&lanes, self.triangle.turning()));
+            // By reference: it would be copied out of the option.
+            if let Some(closed) = &closed {
+                clear = closed.clear;
+                self.propose(outers, closed, sink);
+            }
         }
         for (index, outer) in outers.iter().enumerate() {
             if !clear.get(index).is_some_and(|&clear| clear) {
@@ -135,6 +139,13 @@ impl Outer {
     }
 }
 
+/// The same in lanes; those beyond the last hold copies of it.
+struct Lanes {
+    d: Sines,
+    f: Sines,
+    near: [bool; FOUR],
+}
+
 /// Two times two, or three times three starts where the arm misses its class.
 const MAX_OUTERS: usize = 12;
 
@@ -146,6 +157,21 @@ struct Outers {
 }
 
 impl Outers {
+    fn new() -> Self {
+        let empty = Outer {
+            d: (0.0, 1.0),
+            f: (0.0, 1.0),
+            signs: [true; 2],
+            multiplicity: 1,
+            edge: false,
+            near: false,
+        };
+        Self {
+            list: [empty; MAX_OUTERS],
+            len: 0,
+        }
+    }
+
     fn push(&mut self, outer: Outer) {
         if self.len < self.list.len() {
             self.list[self.len] = outer;
@@ -184,20 +210,8 @@ impl<'a> Loop<'a> {
     }
 
     /// Both equations solved for d and f.
-    fn outers(&self, sink: &mut Sink<'_>) -> Outers {
+    fn solve(&self, outers: &mut Outers, sink: &mut Sink<'_>) {
         let [one, two] = &self.equations;
-        let empty = Outer {
-            d: (0.0, 1.0),
-            f: (0.0, 1.0),
-            signs: [true; 2],
-            multiplicity: 1,
-            edge: false,
-            near: false,
-        };
-        let mut outers = Outers {
-            list: [empty; MAX_OUTERS],
-            len: 0,
-        };
         let (d_rows, f_rows) = ([&one.0, &two.0], [&one.1, &two.1]);
         if let Some(weights) = self.weights(d_rows) {
             let (roots, near) = self.combined(weights, f_rows, d_rows, sink);
@@ -228,9 +242,8 @@ impl<'a> Loop<'a> {
                 }
             }
         } else {
-            self.quartic(&mut outers, sink);
+            self.quartic(outers, sink);
         }
-        outers
     }
 
     /// The combination of the two equations in which the angle of these rows does not occur, if there is one.
@@ -397,29 +410,36 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// Joint e and the triangle for all d and f at once, if they are four at most and none is near another.
-    fn close_all(&self, arm: &ThreeParallel, outers: &[Outer]) -> Option<(Closed, Sines, Sines)> {
+    /// All d and f at once, if they are four at most and none is near another.
+    fn lanes(&self, outers: &[Outer]) -> Option<Lanes> {
         let is_usual =
             self.slack == 0.0 && outers.len() <= FOUR && outers.iter().all(Outer::is_clear);
         let last = outers.last().filter(|_| is_usual)?;
-        let (mut d, mut f) = ([[0.0; FOUR]; 2], [[0.0; FOUR]; 2]);
-        let mut near = [false; FOUR];
+        let mut lanes = Lanes {
+            d: [[0.0; FOUR]; 2],
+            f: [[0.0; FOUR]; 2],
+            near: [false; FOUR],
+        };
         for lane in 0..FOUR {
             let outer = outers.get(lane).unwrap_or(last);
-            near[lane] = outer.near;
-            (d[0][lane], d[1][lane]) = outer.d;
-            (f[0][lane], f[1][lane]) = outer.f;
+            lanes.near[lane] = outer.near;
+            (lanes.d[0][lane], lanes.d[1][lane]) = outer.d;
+            (lanes.f[0][lane], lanes.f[1][lane]) = outer.f;
         }
-        let closed = wide::run(&Closing {
+        Some(lanes)
+    }
+
+    /// Joint e and the triangle for all of them.
+    fn closing<'b>(&'b self, lanes: &'b Lanes, triangle: Turning<'b>) -> Closing<'b> {
+        Closing {
             links: &self.links,
             axes: [self.k0, self.k3],
             flip: self.flip,
-            d: &d,
-            f: &f,
-            near: &near,
-            triangle: arm.triangle.turning(),
-        })?;
-        Some((closed, d, f))
+            d: &lanes.d,
+            f: &lanes.f,
+            near: &lanes.near,
+            triangle,
+        }
     }
 
     /// Joint e and the triangle for given d and f.
@@ -571,7 +591,7 @@ impl Cone {
 impl ThreeParallel {
     /// Both ways to close the triangle, of the branches that are there.
     #[inline]
-    fn propose(&self, outers: &[Outer], closed: &Closed, [d, f]: [&Sines; 2], sink: &mut Sink<'_>) {
+    fn propose(&self, outers: &[Outer], closed: &Closed, sink: &mut Sink<'_>) {
         let mut names = [(Branch::NONE, Marks::PLAIN); 2 * FOUR];
         let mut there = [false; 2 * FOUR];
         for (index, outer) in outers.iter().enumerate() {
@@ -583,31 +603,12 @@ impl ThreeParallel {
                 names[at].1.multiplicity = outer.multiplicity << ways;
             }
         }
-        let [down, up] = &closed.bent;
+        let turn = |joint: usize| &closed.turns[(joint + 6 - self.first) % 6];
         sink.push_halves(&Halves {
-            turns: [
-                self.in_order(down, d, &closed.e, f),
-                self.in_order(up, d, &closed.e, f),
-            ],
+            turns: std::array::from_fn(turn),
             there,
             names,
         });
-    }
-
-    /// All joints in the order of the arm.
-    #[inline(always)]
-    fn in_order<'a>(
-        &self,
-        [a, b, c]: &'a [Sines; 3],
-        d: &'a Sines,
-        e: &'a Sines,
-        f: &'a Sines,
-    ) -> [&'a Sines; 6] {
-        let mut all = [a; 6];
-        for (k, turn) in [a, b, c, d, e, f].into_iter().enumerate() {
-            all[(self.first + k) % 6] = turn;
-        }
-        all
     }
 
     fn branch(&self, outer: &Outer, index: usize, bend: bool) -> Branch {

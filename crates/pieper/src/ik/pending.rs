@@ -1,32 +1,34 @@
 //! Proposals on their way to verification, eight at a time: their angles and their poses fill the lanes of registers.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
 use pulp::{Arch, Simd, WithSimd};
 
 use super::arm::{Arm, MAX_JOINTS};
+use super::lanes::Lane;
 use super::sink::Marks;
 use super::solutions::{Branch, JointVector};
-use super::wide::{FOUR, Sines};
-use crate::kinematics::{
-    batch::ENTRIES,
-    group::{self, GROUP},
-};
+use super::wide::Turns;
+use crate::kinematics::group::{self, GROUP};
 use crate::spatial::Pose;
+
+/// What a row knows about the proposals of all lanes.
+pub(super) type Names = [(Branch, Marks); GROUP];
 
 /// Up to [`GROUP`] proposals as sines and cosines.
 #[derive(Debug)]
 pub(super) struct Pending {
-    sines: [[f64; GROUP]; MAX_JOINTS],
-    cosines: [[f64; GROUP]; MAX_JOINTS],
-    pub(super) names: [(Branch, Marks); GROUP],
-    pub(super) len: usize,
+    turns: [Turns; MAX_JOINTS],
+    names: Names,
+    len: usize,
 }
 
 /// Up to four branches in two ways each, as sines and cosines of six joints in lanes.
 pub(super) struct Halves<'a> {
-    pub(super) turns: [[&'a Sines; 6]; 2],
+    pub(super) turns: [&'a Turns; 6],
     /// Which there are: branch `k` by the first way at `k`, by the second at `FOUR + k`.
     pub(super) there: [bool; GROUP],
-    pub(super) names: [(Branch, Marks); GROUP],
+    pub(super) names: Names,
 }
 
 /// The same as joint values, with what they miss the pose by.
@@ -41,82 +43,83 @@ pub(super) struct Measured {
 impl Pending {
     pub(super) fn new() -> Self {
         Self {
-            sines: [[0.0; GROUP]; MAX_JOINTS],
-            cosines: [[1.0; GROUP]; MAX_JOINTS],
+            turns: [[[0.0; GROUP], [1.0; GROUP]]; MAX_JOINTS],
             names: [(Branch::NONE, Marks::PLAIN); GROUP],
             len: 0,
         }
     }
 
+    /// Whether there is no room for more.
+    pub(super) fn is_full(&self) -> bool {
+        self.len == GROUP
+    }
+
     #[inline]
     pub(super) fn push(&mut self, turns: &[(f64, f64)], branch: Branch, marks: Marks) {
         let lane = self.len.min(GROUP - 1);
-        for (step, &(sin, cos)) in turns.iter().enumerate() {
-            self.sines[step][lane] = sin;
-            self.cosines[step][lane] = cos;
+        for ([sines, cosines], &(sin, cos)) in self.turns.iter_mut().zip(turns) {
+            (sines[lane], cosines[lane]) = (sin, cos);
         }
         self.names[lane] = (branch, marks);
         self.len = lane + 1;
     }
 
-    /// Puts four proposals into each half of the lanes, in place of what was there.
-    #[inline]
-    pub(super) fn fill(&mut self, halves: &Halves<'_>) {
-        for (half, turns) in halves.turns.iter().enumerate() {
-            let lanes = FOUR * half..FOUR * (half + 1);
-            for (step, [sines, cosines]) in turns.iter().enumerate() {
-                self.sines[step][lanes.clone()].copy_from_slice(sines);
-                self.cosines[step][lanes.clone()].copy_from_slice(cosines);
-            }
-        }
-        self.names = halves.names;
+    /// How many there were: there are none any more, though what they were can still be measured.
+    pub(super) fn take(&mut self) -> usize {
+        std::mem::take(&mut self.len)
     }
 
-    /// Joint values, and how far they miss `pose`.
+    pub(super) fn names(&self) -> Names {
+        self.names
+    }
+
+    /// Sines and cosines, or values, of each step.
+    pub(super) fn turns(&self) -> [&Turns; MAX_JOINTS] {
+        self.turns.each_ref()
+    }
+}
+
+/// Most arms have no more joints.
+const USUAL: usize = 6;
+
+impl Measured {
+    /// The joint values of proposals, given as sines and cosines or values of each step, and how far they miss `pose`.
     #[inline]
-    pub(super) fn measure(&self, arm: &Arm, pose: &Pose, measured: &mut Measured) {
+    pub(super) fn of(turns: &[&Turns], arm: &Arm, pose: &Pose) -> Self {
+        let mut measured = Self {
+            q: [[0.0; GROUP]; MAX_JOINTS],
+            within: [true; GROUP],
+            misses: None,
+        };
         Arch::new().dispatch(Angles {
-            pending: self,
+            turns,
             arm,
             q: &mut measured.q,
             within: &mut measured.within,
         });
-        let mut entries = [[0.0; GROUP]; ENTRIES];
-        let canonical = arm.chain().canonical();
-        if group::poses(canonical, &measured.q, &mut entries) {
-            let mut most = [[0.0; GROUP]; 2];
-            Arch::new().dispatch(Misses {
-                entries: &entries,
-                pose,
-                most: &mut most,
-            });
-            measured.misses = Some(most);
-        }
+        measured.misses = group::misses(arm.chain().canonical(), &measured.q, pose);
+        measured
     }
 
-    #[inline(always)]
-    fn joint_values(&self, arm: &Arm, q: &mut [[f64; GROUP]; MAX_JOINTS]) {
-        for (step, (drive, &turns)) in arm.drives().iter().zip(arm.turns()).enumerate() {
-            let (sines, cosines) = (&self.sines[step], &self.cosines[step]);
-            let values = &mut q[drive.variable];
-            if turns {
-                for lane in 0..GROUP {
-                    let angle = atan2(sines[lane], cosines[lane]);
-                    // The factor is 1 or -1 here.
-                    values[lane] = wrap((angle - drive.offset) * drive.factor);
-                }
-            } else {
-                for lane in 0..GROUP {
-                    values[lane] = (sines[lane] - drive.offset) / drive.factor;
-                }
+    #[inline]
+    pub(super) fn write(&self, lane: usize, dof: usize, q: &mut JointVector) {
+        // Fixed numbers of them, zeros as well, are copied without a call.
+        let (first, rest) = self.q.split_at(USUAL);
+        for (value, values) in q.iter_mut().zip(first) {
+            *value = values[lane];
+        }
+        q[USUAL..].fill(0.0);
+        if dof > USUAL {
+            for (value, values) in q[USUAL..].iter_mut().zip(rest) {
+                *value = values[lane];
             }
         }
     }
 }
 
-/// [`Pending::joint_values`], and which are within the limits, compiled for the registers that the processor has.
+/// Joint values, and which are within the limits, compiled for the registers that the processor has.
 struct Angles<'a> {
-    pending: &'a Pending,
+    turns: &'a [&'a Turns],
     arm: &'a Arm,
     q: &'a mut [[f64; GROUP]; MAX_JOINTS],
     within: &'a mut [bool; GROUP],
@@ -126,74 +129,31 @@ impl WithSimd for Angles<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.pending.joint_values(self.arm, self.q);
+    fn with_simd<S: Simd>(self, simd: S) {
+        let splat = |value: f64| Lane::splat(simd, value);
         let [lower, upper] = self.arm.bounds();
-        let bounds = lower.iter().zip(upper).take(self.arm.chain().dof());
-        // Numbers in a local array stay in a register; flags in memory would be waited for, joint after joint.
-        let mut outside = [0.0; GROUP];
-        for (values, (&lower, &upper)) in self.q.iter().zip(bounds) {
-            for lane in 0..GROUP {
-                let inside = (lower <= values[lane]) & (values[lane] <= upper);
-                outside[lane] += if inside { 0.0 } else { 1.0 };
+        for block in 0..GROUP / S::F64_LANES {
+            let steps = self.arm.drives().iter().zip(self.arm.turns());
+            let mut inside = splat(0.0).equals(splat(0.0));
+            for (&[sines, cosines], (drive, &turns)) in self.turns.iter().zip(steps) {
+                let sine = Lane::load(simd, sines, block);
+                let (offset, factor) = (splat(drive.offset), splat(drive.factor));
+                let value = match turns {
+                    // The factor is 1 or -1 here.
+                    true => wrap((angle(sine, Lane::load(simd, cosines, block)) - offset) * factor),
+                    false => (sine - offset) / factor,
+                };
+                let joint = drive.variable;
+                value.store(&mut self.q[joint], block);
+                let above = splat(lower[joint]).at_most(value);
+                inside = inside.and(above).and(value.at_most(splat(upper[joint])));
             }
-        }
-        for lane in 0..GROUP {
-            self.within[lane] = outside[lane] == 0.0;
-        }
-    }
-}
-
-impl Measured {
-    #[inline]
-    pub(super) fn empty() -> Self {
-        Self {
-            q: [[0.0; GROUP]; MAX_JOINTS],
-            within: [true; GROUP],
-            misses: None,
-        }
-    }
-
-    #[inline]
-    pub(super) fn write(&self, lane: usize, q: &mut JointVector) {
-        // All of them, zeros as well: a fixed number is copied without a call.
-        for (value, values) in q.iter_mut().zip(&self.q) {
-            *value = values[lane];
-        }
-    }
-}
-
-/// The largest differences from a pose, compiled for the registers that the processor has.
-struct Misses<'a> {
-    entries: &'a [[f64; GROUP]; ENTRIES],
-    pose: &'a Pose,
-    most: &'a mut [[f64; GROUP]; 2],
-}
-
-impl WithSimd for Misses<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let wanted = [
-            self.pose.rotation.matrix().as_slice(),
-            self.pose.translation.vector.as_slice(),
-        ];
-        let (rotations, positions) = self.entries.split_at(9);
-        for ((wanted, values), out) in wanted
-            .iter()
-            .zip([rotations, positions])
-            .zip(self.most.iter_mut())
-        {
-            // In registers until the end: what is stored and loaded again waits.
-            let mut most = [0.0_f64; GROUP];
-            for (values, &wanted) in values.iter().zip(wanted.iter()) {
-                for lane in 0..GROUP {
-                    let miss = (values[lane] - wanted).abs();
-                    most[lane] = if miss <= most[lane] { most[lane] } else { miss };
-                }
+            let mut flags = [0.0; GROUP];
+            inside.pick(splat(1.0), splat(0.0)).store(&mut flags, block);
+            let lanes = S::F64_LANES * block..S::F64_LANES * (block + 1);
+            for lane in lanes {
+                self.within[lane] = flags[lane] != 0.0;
             }
-            *out = most;
         }
     }
 }
@@ -203,55 +163,112 @@ const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// As [`angle::wrap`](super::angle::wrap), without branches.
 #[inline(always)]
-fn wrap(angle: f64) -> f64 {
-    use std::f64::consts::{PI, TAU};
-    let turns = (angle * (1.0 / TAU) + ROUNDING) - ROUNDING;
-    let wrapped = angle - TAU * turns;
-    if wrapped <= -PI + 4.0 * f64::EPSILON {
-        PI
-    } else {
-        wrapped
-    }
+fn wrap<S: Simd>(angle: Lane<S>) -> Lane<S> {
+    let constant = |value: f64| angle.constant(value);
+    let turns = angle.mul_add(constant(1.0 / TAU), constant(ROUNDING)) - constant(ROUNDING);
+    let wrapped = turns.subtract_product(constant(TAU), angle);
+    let is_least = wrapped.at_most(constant(-PI + 4.0 * f64::EPSILON));
+    is_least.pick(constant(PI), wrapped)
 }
 
-/// Coefficients of the rational approximation of `(atan x - x) / x^3` in `x^2` on [0, 0.66], highest first, after
-/// Moshier's Cephes; error below 2e-16.
-const ATAN_ABOVE: [f64; 5] = [
-    -8.750_608_600_031_904_122_785e-1,
-    -1.615_753_718_733_365_076_637e1,
-    -7.500_855_792_314_704_667_340e1,
-    -1.228_866_684_490_136_173_410e2,
-    -6.485_021_904_942_025_371_773e1,
-];
-const ATAN_BELOW: [f64; 5] = [
-    2.485_846_490_142_306_297_962e1,
-    1.650_270_098_316_988_542_046e2,
-    4.328_810_604_912_902_668_951e2,
-    4.853_903_996_359_136_964_868e2,
-    1.945_506_571_482_613_964_425e2,
+/// Minimax coefficients of `(atan x - x) / x^3` in `x^2` for `x` up to `tan(pi / 8)`, lowest first; they leave a relative
+/// error of the angle below 2^-54.
+const ATAN: [f64; 10] = [
+    -0.333_333_333_333_302_150_836_1,
+    0.199_999_999_991_039_645_855_3,
+    -0.142_857_141_964_658_766_564_2,
+    0.111_111_067_009_577_287_367_7,
+    -0.090_907_834_659_347_934_680_39,
+    0.076_900_824_463_777_025_048_52,
+    -0.066_412_381_795_059_029_610_22,
+    0.056_931_218_201_756_405_524_89,
+    -0.043_606_993_585_709_829_925_28,
+    0.021_278_579_207_035_796_102_5,
 ];
 
-/// The angle of the plane vector `(x, y)`, without branches, so that eight are computed at once; to about two units
-/// in the last place. 0 for the zero vector.
+/// `tan(pi / 8)`
+const HALF_OF_45: f64 = 0.414_213_562_373_095_048_8;
+
+/// The angles of plane vectors `(x, y)` by `y` and `x`, without branches; to about two units in the last place. 0 for the zero
+/// vector.
 #[inline(always)]
-fn atan2(y: f64, x: f64) -> f64 {
-    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-    let (ax, ay) = (x.abs(), y.abs());
-    let steep = ay > ax;
-    let (low, high) = if steep { (ax, ay) } else { (ay, ax) };
-    // Beyond 0.66 the angle is counted from 45 degrees.
-    let far = low > 0.66 * high;
-    let above = if far { low - high } else { low };
-    let below = if far { low + high } else { high };
-    let ratio = above / if below > 0.0 { below } else { 1.0 };
+fn angle<S: Simd>(y: Lane<S>, x: Lane<S>) -> Lane<S> {
+    let constant = |value: f64| x.constant(value);
+    let (ax, ay, zero) = (x.abs(), y.abs(), constant(0.0));
+    let steep = ax.less(ay);
+    let (low, high) = (steep.pick(ax, ay), steep.pick(ay, ax));
+    // Of the upper half it is counted from 45 degrees.
+    let far = (high * constant(HALF_OF_45)).less(low);
+    let above = far.pick(low - high, low);
+    let below = far.pick(low + high, high);
+    let ratio = above / below.equals(zero).pick(constant(1.0), below);
     let z = ratio * ratio;
-    let p = ATAN_ABOVE[1..]
-        .iter()
-        .fold(ATAN_ABOVE[0], |sum, c| sum * z + c);
-    let q = ATAN_BELOW.iter().fold(1.0, |sum, c| sum * z + c);
-    let small = ratio * (z * p / q) + ratio;
-    let angle = if far { FRAC_PI_4 + small } else { small };
-    let angle = if steep { FRAC_PI_2 - angle } else { angle };
-    let angle = if x < 0.0 { PI - angle } else { angle };
-    angle.copysign(y)
+    let mut sum = constant(ATAN[ATAN.len() - 1]);
+    for &coefficient in ATAN.iter().rev().skip(1) {
+        sum = sum.mul_add(z, constant(coefficient));
+    }
+    let small = (ratio * z).mul_add(sum, ratio);
+    let angle = far.pick(constant(FRAC_PI_4) + small, small);
+    let angle = steep.pick(constant(FRAC_PI_2) - angle, angle);
+    let angle = x.less(zero).pick(constant(PI) - angle, angle);
+    angle.with_sign(y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Call<'a>([&'a [f64; GROUP]; 2], &'a mut [f64; GROUP]);
+
+    impl WithSimd for Call<'_> {
+        type Output = ();
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) {
+            let [y, x] = self.0;
+            for block in 0..GROUP / S::F64_LANES {
+                let out = angle(Lane::load(simd, y, block), Lane::load(simd, x, block));
+                out.store(self.1, block);
+            }
+        }
+    }
+
+    fn angles(y: &[f64; GROUP], x: &[f64; GROUP]) -> [f64; GROUP] {
+        let mut out = [0.0; GROUP];
+        Arch::new().dispatch(Call([y, x], &mut out));
+        out
+    }
+
+    #[test]
+    fn angles_are_those_of_the_standard_library() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut worst = 0.0_f64;
+        for _ in 0..20_000 {
+            // Of any size, and as often near an axis or a diagonal as anywhere.
+            let size = 10_f64.powf(16.0 * random.f64() - 8.0);
+            let quarter = FRAC_PI_4 * f64::from(random.u8(0..8));
+            let off = 10_f64.powf(-17.0 * random.f64());
+            let mut directions = [[0.0; GROUP]; 2];
+            for lane in 0..GROUP {
+                let (sin, cos) = (quarter + off * (2.0 * random.f64() - 1.0)).sin_cos();
+                (directions[0][lane], directions[1][lane]) = (size * sin, size * cos);
+            }
+            let [y, x] = &directions;
+            for ((angle, y), x) in angles(y, x).iter().zip(y).zip(x) {
+                let expected = y.atan2(*x);
+                worst = worst.max(((angle - expected) / expected).abs());
+            }
+        }
+        assert!(worst < 2.5 * f64::EPSILON, "{worst:e}");
+    }
+
+    #[test]
+    fn angles_of_what_has_none() {
+        let y = [0.0, -0.0, 0.0, f64::NAN, 1.0, f64::NAN, 1.0, -1.0];
+        let x = [0.0, 1.0, -1.0, 1.0, f64::NAN, f64::NAN, 0.0, 0.0];
+        let found = angles(&y, &x);
+        assert_eq!(found[..3], [0.0, -0.0, PI]);
+        assert!(found[3..6].iter().all(|angle| angle.is_nan()));
+        assert_eq!(found[6..], [FRAC_PI_2, -FRAC_PI_2]);
+    }
 }

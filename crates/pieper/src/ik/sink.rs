@@ -3,12 +3,12 @@
 use super::arm::{Arm, residuals};
 use super::curve;
 use super::descent::{self, ROUNDING, Room, newton};
-use super::pending::{Halves, Measured, Pending};
+use super::pending::{Halves, Measured, Names, Pending};
 use super::reason::{Part, Shortfall};
 use super::solutions::{
     Branch, Family, JointVector, MAX_FAMILIES, MAX_SOLUTIONS, Solution, Solutions, Status,
 };
-use super::wide::{FOUR, Sines};
+use super::wide::FOUR;
 use super::wrist::Method;
 use super::{MAX_JOINTS, TOLERANCES};
 use crate::kinematics::group::GROUP;
@@ -60,7 +60,8 @@ pub struct Sink<'a> {
     rejected: bool,
     /// Some root was found to be several.
     merged: bool,
-    pending: Pending,
+    /// Made with the first proposal that has to wait for others.
+    pending: Option<Pending>,
 }
 
 impl<'a> Sink<'a> {
@@ -74,7 +75,7 @@ impl<'a> Sink<'a> {
             shortfall: None,
             rejected: false,
             merged: false,
-            pending: Pending::new(),
+            pending: None,
         }
     }
 
@@ -139,8 +140,9 @@ impl<'a> Sink<'a> {
             }
             return self.push(&all[..turns.len()], branch, marks);
         }
-        self.pending.push(turns, branch, marks);
-        if self.pending.len == GROUP {
+        let pending = self.pending.get_or_insert_with(Pending::new);
+        pending.push(turns, branch, marks);
+        if pending.is_full() {
             self.flush();
         }
     }
@@ -158,33 +160,38 @@ impl<'a> Sink<'a> {
         }
         if self.arm.is_plain() {
             self.flush();
-            self.pending.fill(halves);
-            return self.verify(order);
+            let measured = Measured::of(&halves.turns, self.arm, self.pose);
+            return self.verify(&measured, &halves.names, order);
         }
         for lane in order {
-            let at = |[sines, cosines]: &Sines| (sines[lane % FOUR], cosines[lane % FOUR]);
+            let turns = halves
+                .turns
+                .map(|[sines, cosines]| (sines[lane], cosines[lane]));
             let (branch, marks) = halves.names[lane];
-            self.push_turns(&halves.turns[lane / FOUR].map(at), branch, marks);
+            self.push_turns(&turns, branch, marks);
         }
     }
 
     /// Verifies what is pending.
     fn flush(&mut self) {
-        let count = std::mem::take(&mut self.pending.len);
+        let Some(pending) = &mut self.pending else {
+            return;
+        };
+        let count = pending.take();
         if count > 0 {
-            self.verify(0..count);
+            let names = pending.names();
+            let measured = Measured::of(&pending.turns(), self.arm, self.pose);
+            self.verify(&measured, &names, 0..count);
         }
     }
 
-    /// Verifies these lanes of what is pending.
+    /// Lists those of these lanes that make the pose, and looks closer at those that do not, or not for certain.
     #[inline]
-    fn verify(&mut self, lanes: impl Iterator<Item = usize>) {
-        let mut measured = Measured::empty();
-        self.pending.measure(self.arm, self.pose, &mut measured);
+    fn verify(&mut self, measured: &Measured, names: &Names, lanes: impl Iterator<Item = usize>) {
         let dof = self.arm.chain().dof();
         let limit = TOLERANCES.rounding;
         for lane in lanes {
-            let (branch, marks) = self.pending.names[lane];
+            let (branch, marks) = names[lane];
             let plain = !marks.free && !marks.edge && self.terms.slack == 0.0 && dof <= 6;
             match &measured.misses {
                 Some([turn, shift])
@@ -194,7 +201,7 @@ impl<'a> Sink<'a> {
                         continue;
                     };
                     // Where it belongs at once: a copy of each would take a tenth of the time.
-                    measured.write(lane, &mut slot.q);
+                    measured.write(lane, dof, &mut slot.q);
                     slot.dof = dof as u8;
                     slot.residual = turn[lane].max(shift[lane]);
                     slot.branch = branch;
@@ -204,7 +211,7 @@ impl<'a> Sink<'a> {
                 }
                 _ => {
                     let mut q = [0.0; MAX_JOINTS];
-                    measured.write(lane, &mut q);
+                    measured.write(lane, dof, &mut q);
                     self.push_verified(q, branch, marks);
                 }
             }
@@ -447,7 +454,13 @@ impl<'a> Sink<'a> {
     }
 
     /// Draws the conclusion.
+    // Into the caller: the whole would be copied for the call.
+    #[inline(always)]
     pub(super) fn finish(mut self) {
+        self.conclude();
+    }
+
+    fn conclude(&mut self) {
         self.flush();
         if self.merged && self.arm.chain().dof() <= 6 {
             self.spread_merged();
@@ -455,7 +468,7 @@ impl<'a> Sink<'a> {
         if self.terms.slack > 0.0 && self.rejected && self.out.len + self.out.family_count == 0 {
             self.rescue();
         }
-        let out = self.out;
+        let out = &mut *self.out;
         out.status = match (out.family_count, out.len) {
             (0, 0) => Status::Unreachable,
             (0, _) => Status::Solved,

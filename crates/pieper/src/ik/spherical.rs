@@ -218,14 +218,9 @@ impl Spherical {
             signs,
             shifts: self.ball.shifts(),
         };
-        let Some(Oriented {
-            turns: [first, middle, last],
-            other,
-        }) = wide::run(&task)
-        else {
+        let Some(Oriented { ball, others }) = wide::run(&task) else {
             return false;
         };
-        let (against, back) = (wide::opposite(&first), wide::opposite(&last));
         let mut names = [(Branch::NONE, Marks::PLAIN); 2 * FOUR];
         let mut there = [false; 2 * FOUR];
         for (lane, &signs) in four.signs.iter().enumerate() {
@@ -236,12 +231,8 @@ impl Spherical {
                 names[at].1.multiplicity = four.multiplicity[lane];
             }
         }
-        let [d, e, f] = &four.turns;
         sink.push_halves(&Halves {
-            turns: [
-                self.in_order([&first, &middle, &last], [d, e, f]),
-                self.in_order([&against, &other, &back], [d, e, f]),
-            ],
+            turns: self.in_order(ball.each_ref(), others.each_ref()),
             there,
             names,
         });

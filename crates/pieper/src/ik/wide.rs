@@ -9,6 +9,7 @@ pub(super) use triangle::{Closed, Closing, Turning};
 pub(super) use wrist::{Oriented, Wrist};
 
 use super::angle::EDGE;
+use crate::kinematics::group::GROUP;
 
 /// Branches at once: what is left of a closed form behind its first choices has four at most, away from singularities.
 pub(super) const FOUR: usize = 4;
@@ -16,14 +17,24 @@ pub(super) const FOUR: usize = 4;
 /// Sines and cosines of one joint in [`FOUR`] branches.
 pub(super) type Sines = [[f64; FOUR]; 2];
 
-/// Sines and cosines of the angles half a turn away.
+/// The same in two ways, one after the other.
+pub(super) type Turns = [[f64; GROUP]; 2];
+
+/// Sines and cosines by the first way and by the second.
 #[inline(always)]
-pub(super) fn opposite([sines, cosines]: &Sines) -> Sines {
-    let mut out = [[0.0; FOUR]; 2];
-    for k in 0..FOUR {
-        (out[0][k], out[1][k]) = (-sines[k], -cosines[k]);
+fn both(first: Sines, second: Sines) -> Turns {
+    let mut out = [[0.0; GROUP]; 2];
+    for (out, (first, second)) in out.iter_mut().zip(first.iter().zip(&second)) {
+        out[..FOUR].copy_from_slice(first);
+        out[FOUR..].copy_from_slice(second);
     }
     out
+}
+
+/// Sines and cosines of the angles half a turn away.
+#[inline(always)]
+fn opposite([sines, cosines]: Sines) -> Sines {
+    [Wide(sines).negative().0, Wide(cosines).negative().0]
 }
 
 /// Something to be computed for all branches.
@@ -183,11 +194,18 @@ fn back(sin: Wide, cos: Wide, (s, c): (f64, f64)) -> Sines {
     ]
 }
 
-/// Sine and cosine of the angle that turns `from` onto the direction of `to`.
+/// Sine and cosine, up to a common factor, of the angle that turns `from` onto the direction of `to`.
 #[inline(always)]
-fn turned(from: [Wide; 2], to: [Wide; 2]) -> [Wide; 2] {
-    let cross = product(from[0], to[1], from[1].negative(), to[0]);
-    let dot = product(from[0], to[0], from[1], to[1]);
-    let by = product(cross, cross, dot, dot).sqrt().inverse();
-    [cross.times(by), dot.times(by)]
+fn turning(from: [Wide; 2], to: [Wide; 2]) -> [Wide; 2] {
+    [
+        product(from[0], to[1], from[1].negative(), to[0]),
+        product(from[0], to[0], from[1], to[1]),
+    ]
+}
+
+/// Divided by their length.
+#[inline(always)]
+fn unit([sin, cos]: [Wide; 2]) -> [Wide; 2] {
+    let by = product(sin, sin, cos, cos).sqrt().inverse();
+    [sin.times(by), cos.times(by)]
 }

@@ -2,34 +2,47 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::batch::ENTRIES;
 use super::kernel::{Frame, Turn};
 use super::lanes::{self, LaneColumn, Lanes};
 use super::ortho;
 use super::single::{self, Moved};
 use crate::model::{Canonical, PACK, Step};
 use crate::scalar::Scalar;
+use crate::spatial::Pose;
 
 /// Vectors in a group of [`poses`].
 pub(crate) const GROUP: usize = 8;
 
-/// The tool's poses for [`GROUP`] joint vectors on the stack, value `j` of vector `k` at `q[j][k]`; `false`, and nothing
-/// of use written, if an angle is too large or not finite, or if this processor has no registers of several doubles.
+/// By how much the tool's poses for [`GROUP`] joint vectors on the stack, value `j` of vector `k` at `q[j][k]`, differ from a
+/// wanted one: the largest difference of an entry of the rotation, and of the position. `None` if an angle is too large or not
+/// finite, or if this processor has no registers of several doubles.
 ///
 /// For inverse kinematics, which verifies a handful of solutions at once.
 #[inline]
-pub(crate) fn poses(
+pub(crate) fn misses(
     canonical: &Canonical,
     q: &[[f64; GROUP]],
-    out: &mut [[f64; GROUP]; ENTRIES],
-) -> bool {
-    Arch::new().dispatch(Group { canonical, q, out })
+    pose: &Pose,
+) -> Option<[[f64; GROUP]; 2]> {
+    let mut out = [[0.0; GROUP]; 2];
+    let task = Group {
+        canonical,
+        q,
+        wanted: [
+            pose.rotation.matrix().as_slice(),
+            pose.translation.vector.as_slice(),
+        ],
+        out: &mut out,
+    };
+    Arch::new().dispatch(task).then_some(out)
 }
 
 struct Group<'a> {
     canonical: &'a Canonical,
     q: &'a [[f64; GROUP]],
-    out: &'a mut [[f64; GROUP]; ENTRIES],
+    /// Rotation by columns, and position.
+    wanted: [&'a [f64]; 2],
+    out: &'a mut [[f64; GROUP]; 2],
 }
 
 impl WithSimd for Group<'_> {
@@ -48,27 +61,26 @@ impl WithSimd for Group<'_> {
                 cos: zero,
             }; PACK],
         );
-        let mut columns: [&mut [S::f64s]; ENTRIES] = Default::default();
-        for (column, entries) in columns.iter_mut().zip(self.out.iter_mut()) {
-            *column = S::as_mut_simd_f64s(entries).0;
-        }
         for block in 0..GROUP / width {
             let joint = |variable: usize| S::as_simd_f64s(&self.q[variable]).0[block];
-            if let Some(arm) = self.canonical.ortho() {
-                let [a, b, c, d, e, f] = arm.variables;
-                let joints = [joint(a), joint(b), joint(c), joint(d), joint(e), joint(f)];
-                let (Frame { x, y, z, p }, sizes) = ortho::poses(simd, arm, joints);
-                let entries = [x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, p.x, p.y, p.z];
-                for (column, value) in columns.iter_mut().zip(entries) {
-                    column[block] = value;
+            let (Frame { x, y, z, p }, sizes) = match self.canonical.ortho() {
+                Some(arm) => {
+                    let [a, b, c, d, e, f] = arm.variables;
+                    let joints = [joint(a), joint(b), joint(c), joint(d), joint(e), joint(f)];
+                    ortho::poses(simd, arm, joints)
                 }
-                if !lanes::all_small(sizes) {
-                    return false;
-                }
-                continue;
+                None => several(simd, self.canonical, joint, &mut turns),
+            };
+            let rotation = [x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z];
+            for ((entries, wanted), out) in [&rotation[..], &[p.x, p.y, p.z]]
+                .iter()
+                .zip(self.wanted)
+                .zip(self.out.iter_mut())
+            {
+                let most = largest_miss(simd, entries, wanted);
+                S::as_mut_simd_f64s(out).0[block] = most;
             }
-            let store = |entry: usize, value: S::f64s| columns[entry][block] = value;
-            if !several(simd, self.canonical, joint, &mut turns, store) {
+            if !lanes::all_small(sizes) {
                 return false;
             }
         }
@@ -76,20 +88,31 @@ impl WithSimd for Group<'_> {
     }
 }
 
+/// The largest difference of entries from those that are wanted.
+#[inline(always)]
+fn largest_miss<S: Simd>(simd: S, entries: &[S::f64s], wanted: &[f64]) -> S::f64s {
+    let mut most = simd.splat_f64s(0.0);
+    for (&entry, &wanted) in entries.iter().zip(wanted) {
+        let miss = lanes::magnitude(simd, simd.sub_f64s(entry, simd.splat_f64s(wanted)));
+        let is_less = simd.less_than_or_equal_f64s(miss, most);
+        most = simd.select_f64s(is_less, most, miss);
+    }
+    most
+}
+
 /// Sines and cosines of a pack of steps, where no register straddles two cache lines.
 #[repr(align(64))]
 struct Turns<S: Simd>([Turn<Lanes<S>>; PACK]);
 
-/// One register's worth of poses, which stay in registers: for so few a tile does not pay. `joint` gives the values of a variable, `store` takes the entries; `false`, and
-/// nothing of use stored, if an angle is too large or not finite.
+/// One register's worth of poses, which stay in registers: for so few a tile does not pay. `joint` gives the values of a variable.
+/// With the sum of the angles' sizes, which is not a number where one of them is none.
 #[inline(always)]
 fn several<S: Simd>(
     simd: S,
     canonical: &Canonical,
     joint: impl Fn(usize) -> S::f64s,
     Turns(turns): &mut Turns<S>,
-    mut store: impl FnMut(usize, S::f64s),
-) -> bool {
+) -> (Frame<LaneColumn<S>>, Lanes<S>) {
     let splat = |value: f64| Lanes::splat(simd, value);
     let base = single::base_frame(&canonical.base);
     let column = |[x, y, z]: [f64; 3]| LaneColumn {
@@ -138,18 +161,5 @@ fn several<S: Simd>(
         frame = single::run(steps, frame, splat, motion, |_, _| {});
     }
     single::append_tail(&mut frame, canonical, splat);
-    let Frame { x, y, z, p } = frame;
-    store(0, x.x);
-    store(1, x.y);
-    store(2, x.z);
-    store(3, y.x);
-    store(4, y.y);
-    store(5, y.z);
-    store(6, z.x);
-    store(7, z.y);
-    store(8, z.z);
-    store(9, p.x);
-    store(10, p.y);
-    store(11, p.z);
-    lanes::all_small(sizes)
+    (frame, sizes)
 }

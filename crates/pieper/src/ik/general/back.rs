@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lane, Rigid, Turn, Vector, constant, cross, dot};
+use crate::ik::lanes::{Lane, Rigid, Turn, Vector, constant, cross, dot};
 
 /// The links of one elimination for one target: La to Le, and the inverse of Lf.
 pub(super) type Links = [Rigid; 6];

@@ -10,9 +10,9 @@ use nalgebra::SMatrix;
 use pulp::Simd;
 
 use super::cycle::{Case, Slot};
-use super::lanes::{Lane, Rigid};
 use super::line::{self, Line, SIZE};
 use super::random::Random;
+use crate::ik::lanes::{Lane, Rigid};
 use crate::spatial::Pose;
 
 /// Equations, columns (harmonics of d times harmonics of e), harmonics of one angle.

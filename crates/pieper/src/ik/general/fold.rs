@@ -8,12 +8,12 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::lanes::{Lane, Mask, square};
 use super::list::List;
 use super::newton::{Angles, Curve, Goal, curve, measure, newton};
 use super::pool::{CAPACITY, Point, Pool, distance, gather, scatter};
 use super::siblings;
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Mask, square};
 
 /// Tells apart the solutions beside points that are close to folds, as many as a register takes.
 pub(super) struct Folds<'a, 'b> {

@@ -6,9 +6,9 @@
 
 use pulp::Simd;
 
-use super::lanes::Lane;
 use super::tables::{ARCS, BERNSTEIN, DEGREE, HALF, Tables, Trigonometric};
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::Lane;
 
 /// Most candidates: 16 roots, or fewer with near-misses, two extra each.
 pub(super) const CANDIDATES: usize = 32;

@@ -4,7 +4,7 @@
 //! entries, written for both halves of the closed loop, are the 14 equations of Raghavan and Roth (J. Mech. Design
 //! 115, 1993, section 3), which hold no joint but those of the two halves.
 
-use super::lanes::Rigid;
+use crate::ik::lanes::Rigid;
 
 /// Entries of the vector.
 pub(super) const SIZE: usize = 15;

@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lane, Mask, unrolled};
+use crate::ik::lanes::{Lane, Mask, unrolled};
 
 pub(super) type Matrix<S, const N: usize> = [[Lane<S>; N]; N];
 

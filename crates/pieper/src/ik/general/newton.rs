@@ -3,11 +3,11 @@
 
 use pulp::Simd;
 
-use super::lanes::{
-    Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, scaled, square, unrolled,
-};
 use super::linear::{Factors, Matrix, invert};
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{
+    Lane, Rigid, Turn, Vector, along, constant, cross, dot, pick, scaled, square, unrolled,
+};
 
 /// The arm and a target: `Rz(q1) L1 ... Rz(q6) = target`, the last link being part of the target, lengths scaled.
 #[derive(Clone, Copy, Debug)]

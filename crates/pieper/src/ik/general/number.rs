@@ -2,8 +2,8 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lane, Mask, Turn};
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Mask, Turn};
 
 /// The arithmetic of one number in each lane.
 pub(super) trait Number<S: Simd>: Copy {

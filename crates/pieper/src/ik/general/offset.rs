@@ -26,7 +26,6 @@ mod zoom;
 use pulp::{Simd, WithSimd};
 
 use super::isolate::{Candidates, Origin, isolate};
-use super::lanes::{Lane, Rigid, Turn};
 use super::newton::Goal;
 use super::polynomial::{Sampled, transform};
 use super::pool::Pool;
@@ -34,6 +33,7 @@ use super::random::Random;
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Rigid, Turn};
 use crate::ik::normal::Normal;
 use crate::spatial::{Pose, sin_cos_exact};
 use equation::{Equation, Plane};

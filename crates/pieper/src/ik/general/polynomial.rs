@@ -3,10 +3,10 @@
 use pulp::Simd;
 
 use super::elimination::Harmonics;
-use super::lanes::{Lane, Turn};
 use super::number::Number;
 use super::resultant::{self, Form};
 use super::tables::{BEYOND, COEFFICIENTS, SAMPLES, Tables, Trigonometric};
+use crate::ik::lanes::{Lane, Turn};
 
 /// The polynomial, scaled to a largest coefficient of 1.
 #[derive(Clone, Copy, Debug)]

@@ -2,9 +2,9 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lane, Turn};
 use super::newton::Angles;
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Turn};
 
 /// Real roots that a pose can have at most (Primrose 1986); members of families may fill the rest.
 pub const MAX_ROOTS: usize = 16;

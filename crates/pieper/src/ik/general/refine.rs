@@ -3,9 +3,9 @@
 use pulp::Simd;
 
 use super::isolate::{CANDIDATES, Candidates};
-use super::lanes::{Lane, Turn};
 use super::tables::{DEGREE, Tables, Trigonometric};
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Turn};
 
 /// Angles c and the polynomial's slope there.
 #[derive(Clone, Copy)]

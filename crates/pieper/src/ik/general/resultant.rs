@@ -15,9 +15,9 @@
 use pulp::Simd;
 
 use super::elimination::{BLOCK, COLUMNS, Harmonics, ROWS};
-use super::lanes::{Lane, Mask, Turn, Vector, cross, dot, pick, scaled, unrolled};
 use super::number::Number;
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Mask, Turn, Vector, cross, dot, pick, scaled, unrolled};
 
 /// How the resultant is taken: which of d and e is the unknown x, and the shift.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,10 +3,10 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::lanes::Lane;
 use super::newton::{Goal, measure, newton};
 use super::pool::{CAPACITY, Pool, gather};
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::Lane;
 
 /// Measures the solutions from `first` on.
 #[inline(always)]

@@ -7,7 +7,6 @@ use super::cycle::Case;
 use super::elimination::{Harmonics, Linear};
 use super::fold::Folds;
 use super::isolate::{Candidates, Origin, PAIRS, isolate};
-use super::lanes::{Lane, Mask, Rigid, Turn, square};
 use super::newton::{Angles, Goal, newton};
 use super::number::Double;
 use super::polynomial::{Sampled, sample};
@@ -16,6 +15,7 @@ use super::refine::polish;
 use super::resultant::{self, Form, Reduced};
 use super::tables::Tables;
 use super::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Mask, Rigid, Turn, square};
 use crate::spatial::Pose;
 
 /// One elimination, prepared.

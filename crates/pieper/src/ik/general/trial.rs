@@ -5,7 +5,6 @@ use pulp::{Simd, WithSimd};
 use super::Scaled;
 use super::cycle::{CASES, Case};
 use super::elimination::Linear;
-use super::lanes::Rigid;
 use super::newton::Goal;
 use super::offset::Offset;
 use super::orientation::Orientation;
@@ -16,6 +15,7 @@ use super::single::{Elimination, Target};
 use super::tables::Tables;
 use super::way::Way;
 use crate::error::{Error, Result};
+use crate::ik::lanes::Rigid;
 use crate::spatial::Pose;
 
 /// Poses on which the eliminations are tried.

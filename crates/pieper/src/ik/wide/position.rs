@@ -1,6 +1,6 @@
 //! Up to four ways to bring a point to a place at once, by joints of which the second and third are parallel.
 
-use super::{Bends, FOUR, Sines, Task, Wide, back, product, turned};
+use super::{Bends, FOUR, Sines, Task, Wide, back, product, turning, unit};
 use crate::ik::TOLERANCES;
 use crate::ik::angle::{AWAY, MERGED, ONE};
 
@@ -87,11 +87,11 @@ impl Task for Folding {
             cosine.mul_add(all(short_side), all(long_side)),
             sine.times(all(self.flip * short_side)),
         ];
-        let second = turned(elbow, [u, v]);
+        let second = unit(turning(elbow, [u, v]));
         let around = [u.mul_add(one, all(self.a1)), all(self.side)];
-        let first = turned(around, self.place.map(all));
+        let first = unit(turning(around, self.place.map(all)));
         let least = 4.0 * TOLERANCES.free * TOLERANCES.free * self.scale * self.scale;
-        let (bent, turning) = (
+        let (bent, round) = (
             product(elbow[0], elbow[0], elbow[1], elbow[1]),
             product(around[0], around[0], around[1], around[1]),
         );
@@ -110,7 +110,7 @@ impl Task for Folding {
                 && far > least
                 && reach.0[k] * reach.0[k] > least
                 && bent.0[k] > least
-                && turning.0[k] > least;
+                && round.0[k] > least;
         }
         let [a, b, c] = self.zeros;
         Some(Folded {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Bends, FOUR, Sines, Task, Wide, back, product, turned};
+use super::{Bends, FOUR, Sines, Task, Turns, Wide, back, both, product, turning, unit};
 use crate::ik::TOLERANCES;
 use crate::ik::angle::{AWAY, MERGED, STEADY};
 use crate::spatial::Pose;
@@ -28,10 +28,9 @@ pub(in crate::ik) struct Turning<'a> {
     pub(in crate::ik) zeros: &'a [(f64, f64); 3],
 }
 
-/// Joint e, and the triangle's joints bent either way.
+/// All joints: the triangle's, bent either way, then d, e and f.
 pub(in crate::ik) struct Closed {
-    pub(in crate::ik) e: Sines,
-    pub(in crate::ik) bent: [[Sines; 3]; 2],
+    pub(in crate::ik) turns: [Turns; 6],
     /// Which of the two ways there are.
     pub(in crate::ik) there: [[bool; FOUR]; 2],
     /// Of which of the branches everything is known.
@@ -64,7 +63,7 @@ impl Task for Closing<'_> {
             let over = across.mul_add(all(r[(i, 1)]), all(r[(i, 2)] * behind.z));
             *m = along.mul_add(all(r[(i, 0)]), over);
         }
-        let [sin_e, cos_e] = turned(m, y);
+        let [sin_e, cos_e] = unit(turning(m, y));
 
         // The whole motion by rows, and its place.
         let first = self.links[0];
@@ -149,11 +148,18 @@ impl Task for Closing<'_> {
             toward: [toward_x, toward_y],
             cos,
         };
+        let [a, b, c] = bend.joints(sin, elbow);
+        let [other_a, other_b, other_c] =
+            bend.joints(sin.negative(), [elbow[0], elbow[1].negative()]);
+        let e = [sin_e.0, cos_e.0];
         Some(Closed {
-            e: [sin_e.0, cos_e.0],
-            bent: [
-                bend.joints(sin, elbow),
-                bend.joints(sin.negative(), [elbow[0], elbow[1].negative()]),
+            turns: [
+                both(a, other_a),
+                both(b, other_b),
+                both(c, other_c),
+                both(*self.d, *self.d),
+                both(e, e),
+                both(*self.f, *self.f),
             ],
             there: bends.there,
             clear,
@@ -175,7 +181,8 @@ impl Bend<'_> {
     #[inline(always)]
     fn joints(&self, sin: Wide, corner: [Wide; 2]) -> [Sines; 3] {
         let Turning { flips, zeros, .. } = self.triangle;
-        let [sin_first, cos_first] = turned(corner, self.at);
+        // What follows needs no more than its direction.
+        let [sin_first, cos_first] = turning(corner, self.at);
         // The x axis behind the third joint points to first + flip_1 (middle + flip_2 last).
         let [x, y] = self.toward;
         let across = product(y, cos_first, x.negative(), sin_first);

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use super::{FOUR, Sines, Task, Wide, back, product};
+use super::{FOUR, Sines, Task, Turns, Wide, back, both, opposite, product};
 use crate::ik::TOLERANCES;
 use crate::ik::angle::AWAY;
 
@@ -18,11 +18,11 @@ pub(in crate::ik) struct Wrist<'a> {
     pub(in crate::ik) shifts: &'a [(f64, f64); 3],
 }
 
-/// The wrist's joints, the middle one bent to its positive side; and the middle one bent to the other, for which the
-/// outer ones turn by half a turn.
+/// The wrist's joints, the middle one bent to its positive side, and bent to the other, for which the outer ones turn by half a
+/// turn; and the other three joints, the same both times.
 pub(in crate::ik) struct Oriented {
-    pub(in crate::ik) turns: [Sines; 3],
-    pub(in crate::ik) other: Sines,
+    pub(in crate::ik) ball: [Turns; 3],
+    pub(in crate::ik) others: [Turns; 3],
 }
 
 impl Task for Wrist<'_> {
@@ -85,13 +85,16 @@ impl Task for Wrist<'_> {
         let sin_last = three(second).negative().mul_add(one, two(first));
         let cos_last = three(first).mul_add(one, two(second));
         let [a, b, c] = *self.shifts;
+        let first = back(sin_first, cos_first, a);
+        let last = back(sin_last, cos_last, c);
+        let [d, e, f] = *self.turns;
         Some(Oriented {
-            turns: [
-                back(sin_first, cos_first, a),
-                back(sin, cos, b),
-                back(sin_last, cos_last, c),
+            ball: [
+                both(first, opposite(first)),
+                both(back(sin, cos, b), back(sin.negative(), cos, b)),
+                both(last, opposite(last)),
             ],
-            other: back(sin.negative(), cos, b),
+            others: [both(d, d), both(e, e), both(f, f)],
         })
     }
 }

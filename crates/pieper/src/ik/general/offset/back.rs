@@ -4,7 +4,7 @@ use pulp::Simd;
 
 use super::equation::{Branch, Equation, vector};
 use super::{Meets, Offset};
-use crate::ik::general::lanes::{Lane, Rigid, Turn, constant, dot};
+use crate::ik::lanes::{Lane, Rigid, Turn, constant, dot};
 
 /// The angle less a constant one.
 #[inline(always)]

@@ -13,8 +13,8 @@
 use pulp::Simd;
 
 use super::Meets;
-use crate::ik::general::lanes::{Lane, Mask, Rigid, Turn};
 use crate::ik::general::random::Random;
+use crate::ik::lanes::{Lane, Mask, Rigid, Turn};
 
 /// The first three joints: common normals of axes 1 and 2, 2 and 3, and the angle at which the two axes meet.
 #[derive(Clone, Copy, Debug)]

@@ -6,13 +6,13 @@ use super::equation::{Branch, Equation};
 use super::zoom::{ROOTS, Sighting, Windows};
 use super::{Meets, Offset, back};
 use crate::ik::general::isolate::{CANDIDATES, Candidates};
-use crate::ik::general::lanes::{Lane, Mask, Rigid, Turn, square};
 use crate::ik::general::newton::{Angles, Goal, newton};
 use crate::ik::general::polynomial::Sampled;
 use crate::ik::general::pool::Pool;
 use crate::ik::general::refine::polish;
 use crate::ik::general::tables::Tables;
 use crate::ik::general::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Mask, Rigid, Turn, square};
 
 /// What leads from the unknown to solutions of one target.
 pub(super) struct Finish<'a> {

@@ -5,7 +5,7 @@
 
 use pulp::Simd;
 
-use crate::ik::general::lanes::Lane;
+use crate::ik::lanes::Lane;
 
 const DEGREE: usize = 8;
 pub(super) const SAMPLES: usize = 16;

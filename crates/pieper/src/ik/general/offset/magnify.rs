@@ -5,9 +5,9 @@ use pulp::{Simd, WithSimd};
 
 use super::equation::Equation;
 use super::finish::Finish;
-use crate::ik::general::lanes::{Lane, Turn};
 use crate::ik::general::pool::Pool;
 use crate::ik::general::refine::local;
+use crate::ik::lanes::{Lane, Turn};
 
 /// Most places to look at.
 const SPOTS: usize = 64;

@@ -6,11 +6,11 @@ use pulp::{Simd, WithSimd};
 use super::equation::Values;
 use super::finish::Finish;
 use crate::ik::general::fold::Folds;
-use crate::ik::general::lanes::{Lane, Turn};
 use crate::ik::general::list::List;
 use crate::ik::general::newton::{error, newton};
 use crate::ik::general::pool::{Point, Pool, distance, gather, scatter};
 use crate::ik::general::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Turn};
 
 /// All solutions that a pair of roots leads to.
 pub(super) struct Pair<'a> {

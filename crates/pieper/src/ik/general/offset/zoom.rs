@@ -8,11 +8,11 @@ use pulp::{Simd, WithSimd};
 use super::equation::Equation;
 use super::local::{Local, PARTS, Roots, SAMPLES, Tables, edge};
 use crate::ik::general::isolate::Candidates;
-use crate::ik::general::lanes::{Lane, Turn};
 use crate::ik::general::list::List;
 use crate::ik::general::random::Random;
 use crate::ik::general::refine::local;
 use crate::ik::general::tolerances::TOLERANCES;
+use crate::ik::lanes::{Lane, Turn};
 
 /// Intervals of the unknown, radians: first and last angle.
 pub(super) type Windows = List<(f64, f64), WINDOWS>;

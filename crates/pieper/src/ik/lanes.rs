@@ -22,60 +22,60 @@ macro_rules! unrolled {
         })*
     };
 }
-pub(super) use unrolled;
+pub(in crate::ik) use unrolled;
 
 /// One register of doubles.
 #[derive(Clone, Copy)]
-pub(super) struct Lane<S: Simd> {
+pub(in crate::ik) struct Lane<S: Simd> {
     simd: S,
     value: S::f64s,
 }
 
 /// One truth value for each lane.
 #[derive(Clone, Copy)]
-pub(super) struct Mask<S: Simd> {
+pub(in crate::ik) struct Mask<S: Simd> {
     simd: S,
     value: S::m64s,
 }
 
 /// A vector in space, in lanes.
-pub(super) type Vector<S> = [Lane<S>; 3];
+pub(in crate::ik) type Vector<S> = [Lane<S>; 3];
 
 /// Cosine and sine of an angle, in lanes.
 #[derive(Clone, Copy)]
-pub(super) struct Turn<S: Simd> {
-    pub(super) cos: Lane<S>,
-    pub(super) sin: Lane<S>,
+pub(in crate::ik) struct Turn<S: Simd> {
+    pub(in crate::ik) cos: Lane<S>,
+    pub(in crate::ik) sin: Lane<S>,
 }
 
 impl<S: Simd> Lane<S> {
     #[inline(always)]
-    pub(super) fn splat(simd: S, value: f64) -> Self {
+    pub(in crate::ik) fn splat(simd: S, value: f64) -> Self {
         let value = simd.splat_f64s(value);
         Self { simd, value }
     }
 
     /// The same number in every lane, of the same kind as `self`.
     #[inline(always)]
-    pub(super) fn constant(self, value: f64) -> Self {
+    pub(in crate::ik) fn constant(self, value: f64) -> Self {
         Self::splat(self.simd, value)
     }
 
     /// Register `index` of a slice whose length is a multiple of the lanes.
     #[inline(always)]
-    pub(super) fn load(simd: S, slice: &[f64], index: usize) -> Self {
+    pub(in crate::ik) fn load(simd: S, slice: &[f64], index: usize) -> Self {
         let value = S::as_simd_f64s(slice).0[index];
         Self { simd, value }
     }
 
     #[inline(always)]
-    pub(super) fn store(self, slice: &mut [f64], index: usize) {
+    pub(in crate::ik) fn store(self, slice: &mut [f64], index: usize) {
         S::as_mut_simd_f64s(slice).0[index] = self.value;
     }
 
     /// `self * factor + addend`.
     #[inline(always)]
-    pub(super) fn mul_add(self, factor: Self, addend: Self) -> Self {
+    pub(in crate::ik) fn mul_add(self, factor: Self, addend: Self) -> Self {
         let value = self
             .simd
             .mul_add_e_f64s(self.value, factor.value, addend.value);
@@ -84,7 +84,7 @@ impl<S: Simd> Lane<S> {
 
     /// `self * factor + addend`, rounded once whatever the processor.
     #[inline(always)]
-    pub(super) fn fused(self, factor: Self, addend: Self) -> Self {
+    pub(in crate::ik) fn fused(self, factor: Self, addend: Self) -> Self {
         let value = self
             .simd
             .mul_add_f64s(self.value, factor.value, addend.value);
@@ -93,7 +93,7 @@ impl<S: Simd> Lane<S> {
 
     /// `addend - self * factor`.
     #[inline(always)]
-    pub(super) fn subtract_product(self, factor: Self, from: Self) -> Self {
+    pub(in crate::ik) fn subtract_product(self, factor: Self, from: Self) -> Self {
         let value = self
             .simd
             .negate_mul_add_e_f64s(self.value, factor.value, from.value);
@@ -101,31 +101,31 @@ impl<S: Simd> Lane<S> {
     }
 
     #[inline(always)]
-    pub(super) fn abs(self) -> Self {
+    pub(in crate::ik) fn abs(self) -> Self {
         let value = magnitude(self.simd, self.value);
         Self { value, ..self }
     }
 
     #[inline(always)]
-    pub(super) fn sqrt(self) -> Self {
+    pub(in crate::ik) fn sqrt(self) -> Self {
         let value = self.simd.sqrt_f64s(self.value);
         Self { value, ..self }
     }
 
     #[inline(always)]
-    pub(super) fn min(self, other: Self) -> Self {
+    pub(in crate::ik) fn min(self, other: Self) -> Self {
         let value = self.simd.min_f64s(self.value, other.value);
         Self { value, ..self }
     }
 
     #[inline(always)]
-    pub(super) fn max(self, other: Self) -> Self {
+    pub(in crate::ik) fn max(self, other: Self) -> Self {
         let value = self.simd.max_f64s(self.value, other.value);
         Self { value, ..self }
     }
 
     #[inline(always)]
-    pub(super) fn less(self, other: Self) -> Mask<S> {
+    pub(in crate::ik) fn less(self, other: Self) -> Mask<S> {
         let value = self.simd.less_than_f64s(self.value, other.value);
         Mask {
             simd: self.simd,
@@ -133,21 +133,47 @@ impl<S: Simd> Lane<S> {
         }
     }
 
+    #[inline(always)]
+    pub(in crate::ik) fn at_most(self, other: Self) -> Mask<S> {
+        let value = self.simd.less_than_or_equal_f64s(self.value, other.value);
+        Mask {
+            simd: self.simd,
+            value,
+        }
+    }
+
+    #[inline(always)]
+    pub(in crate::ik) fn equals(self, other: Self) -> Mask<S> {
+        let value = self.simd.equal_f64s(self.value, other.value);
+        Mask {
+            simd: self.simd,
+            value,
+        }
+    }
+
+    /// With the sign of another in place of its own, which is not negative.
+    #[inline(always)]
+    pub(in crate::ik) fn with_sign(self, of: Self) -> Self {
+        let sign = self.simd.and_f64s(of.value, self.simd.splat_f64s(-0.0));
+        let value = self.simd.or_f64s(self.value, sign);
+        Self { value, ..self }
+    }
+
     /// The smallest lane.
     #[inline(always)]
-    pub(super) fn smallest(self) -> f64 {
+    pub(in crate::ik) fn smallest(self) -> f64 {
         self.simd.reduce_min_f64s(self.value)
     }
 
     /// The sum of the lanes.
     #[inline(always)]
-    pub(super) fn sum(self) -> f64 {
+    pub(in crate::ik) fn sum(self) -> f64 {
         self.simd.reduce_sum_f64s(self.value)
     }
 
     /// The largest lane.
     #[inline(always)]
-    pub(super) fn largest(self) -> f64 {
+    pub(in crate::ik) fn largest(self) -> f64 {
         self.simd.reduce_max_f64s(self.value)
     }
 }
@@ -155,13 +181,13 @@ impl<S: Simd> Lane<S> {
 impl<S: Simd> Mask<S> {
     /// `yes` where the mask holds, `no` elsewhere.
     #[inline(always)]
-    pub(super) fn pick(self, yes: Lane<S>, no: Lane<S>) -> Lane<S> {
+    pub(in crate::ik) fn pick(self, yes: Lane<S>, no: Lane<S>) -> Lane<S> {
         let value = self.simd.select_f64s(self.value, yes.value, no.value);
         Lane { value, ..yes }
     }
 
     #[inline(always)]
-    pub(super) fn pick_turn(self, yes: Turn<S>, no: Turn<S>) -> Turn<S> {
+    pub(in crate::ik) fn pick_turn(self, yes: Turn<S>, no: Turn<S>) -> Turn<S> {
         Turn {
             cos: self.pick(yes.cos, no.cos),
             sin: self.pick(yes.sin, no.sin),
@@ -169,14 +195,14 @@ impl<S: Simd> Mask<S> {
     }
 
     #[inline(always)]
-    pub(super) fn or(self, other: Self) -> Self {
+    pub(in crate::ik) fn or(self, other: Self) -> Self {
         let value = self.simd.or_m64s(self.value, other.value);
         Self { value, ..self }
     }
 
     /// Where it holds and the other does not.
     #[inline(always)]
-    pub(super) fn and_not(self, other: Self) -> Self {
+    pub(in crate::ik) fn and_not(self, other: Self) -> Self {
         let value = self
             .simd
             .and_m64s(self.value, self.simd.not_m64s(other.value));
@@ -185,13 +211,13 @@ impl<S: Simd> Mask<S> {
 
     /// Whether it holds in some lane.
     #[inline(always)]
-    pub(super) fn any(self) -> bool {
+    pub(in crate::ik) fn any(self) -> bool {
         let (one, zero) = (Lane::splat(self.simd, 1.0), Lane::splat(self.simd, 0.0));
         self.pick(one, zero).largest() > 0.0
     }
 
     #[inline(always)]
-    pub(super) fn and(self, other: Self) -> Self {
+    pub(in crate::ik) fn and(self, other: Self) -> Self {
         let value = self.simd.and_m64s(self.value, other.value);
         Self { value, ..self }
     }
@@ -245,7 +271,7 @@ impl<S: Simd> Neg for Lane<S> {
 impl<S: Simd> Turn<S> {
     /// The turn with this direction of (cosine, sine); any length above rounding, otherwise none.
     #[inline(always)]
-    pub(super) fn along(cos: Lane<S>, sin: Lane<S>) -> Self {
+    pub(in crate::ik) fn along(cos: Lane<S>, sin: Lane<S>) -> Self {
         let square = cos.mul_add(cos, sin * sin);
         let usable = cos.constant(f64::MIN_POSITIVE).less(square);
         let (one, zero) = (cos.constant(1.0), cos.constant(0.0));
@@ -257,7 +283,7 @@ impl<S: Simd> Turn<S> {
     }
 
     #[inline(always)]
-    pub(super) fn reversed(self) -> Self {
+    pub(in crate::ik) fn reversed(self) -> Self {
         Self {
             sin: -self.sin,
             ..self
@@ -266,7 +292,7 @@ impl<S: Simd> Turn<S> {
 
     /// A sliding joint is at the value that is kept in place of the sine.
     #[inline(always)]
-    pub(super) fn slid(at: Lane<S>) -> Self {
+    pub(in crate::ik) fn slid(at: Lane<S>) -> Self {
         Self {
             cos: at.constant(1.0),
             sin: at,
@@ -275,7 +301,7 @@ impl<S: Simd> Turn<S> {
 
     /// Moved on by `by`, whatever kind of joint it is.
     #[inline(always)]
-    pub(super) fn moved(self, by: Lane<S>, slides: bool) -> Self {
+    pub(in crate::ik) fn moved(self, by: Lane<S>, slides: bool) -> Self {
         if slides {
             Self::slid(self.sin + by)
         } else {
@@ -285,7 +311,7 @@ impl<S: Simd> Turn<S> {
 
     /// A point moved about z, or along it.
     #[inline(always)]
-    pub(super) fn carry(self, p: Vector<S>, slides: bool) -> Vector<S> {
+    pub(in crate::ik) fn carry(self, p: Vector<S>, slides: bool) -> Vector<S> {
         if slides {
             [p[0], p[1], p[2] + self.sin]
         } else {
@@ -295,13 +321,13 @@ impl<S: Simd> Turn<S> {
 
     /// A direction turned about z, if the joint turns.
     #[inline(always)]
-    pub(super) fn rotate(self, v: Vector<S>, slides: bool) -> Vector<S> {
+    pub(in crate::ik) fn rotate(self, v: Vector<S>, slides: bool) -> Vector<S> {
         if slides { v } else { self.about_z(v) }
     }
 
     /// Turned on by `by` radians, to fifth order in it: Newton's steps need no more, and no division.
     #[inline(always)]
-    pub(super) fn advanced(self, by: Lane<S>) -> Self {
+    pub(in crate::ik) fn advanced(self, by: Lane<S>) -> Self {
         let square = by * by;
         let cos = square.mul_add(by.constant(1.0 / 24.0), by.constant(-0.5));
         let cos = square.mul_add(cos, by.constant(1.0));
@@ -316,7 +342,7 @@ impl<S: Simd> Turn<S> {
 
     /// One Newton step towards unit length.
     #[inline(always)]
-    pub(super) fn tightened(self) -> Self {
+    pub(in crate::ik) fn tightened(self) -> Self {
         let square = self.cos.mul_add(self.cos, self.sin * self.sin);
         let half = square.constant(0.5);
         let scale = half.subtract_product(square, square.constant(1.5));
@@ -328,7 +354,7 @@ impl<S: Simd> Turn<S> {
 
     /// `v` turned about z.
     #[inline(always)]
-    pub(super) fn about_z(self, v: Vector<S>) -> Vector<S> {
+    pub(in crate::ik) fn about_z(self, v: Vector<S>) -> Vector<S> {
         [
             self.sin.subtract_product(v[1], self.cos * v[0]),
             self.sin.mul_add(v[0], self.cos * v[1]),
@@ -338,12 +364,12 @@ impl<S: Simd> Turn<S> {
 }
 
 #[inline(always)]
-pub(super) fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Lane<S> {
+pub(in crate::ik) fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Lane<S> {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
 #[inline(always)]
-pub(super) fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+pub(in crate::ik) fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
     [
         a[2].subtract_product(b[1], a[1] * b[2]),
         a[0].subtract_product(b[2], a[2] * b[0]),
@@ -353,13 +379,13 @@ pub(super) fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
 
 /// A constant rigid motion as plain numbers, row by row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rigid {
-    pub(super) rotation: [[f64; 3]; 3],
-    pub(super) shift: [f64; 3],
+pub(in crate::ik) struct Rigid {
+    pub(in crate::ik) rotation: [[f64; 3]; 3],
+    pub(in crate::ik) shift: [f64; 3],
 }
 
 impl Rigid {
-    pub(super) fn of(pose: &crate::spatial::Pose) -> Self {
+    pub(in crate::ik) fn of(pose: &crate::spatial::Pose) -> Self {
         let (m, t) = (pose.rotation.matrix(), &pose.translation.vector);
         let row = |i: usize| [m[(i, 0)], m[(i, 1)], m[(i, 2)]];
         Self {
@@ -369,14 +395,14 @@ impl Rigid {
     }
 
     #[inline(always)]
-    pub(super) fn column(&self, j: usize) -> [f64; 3] {
+    pub(in crate::ik) fn column(&self, j: usize) -> [f64; 3] {
         let [x, y, z] = &self.rotation;
         [x[j], y[j], z[j]]
     }
 
     /// The shift, seen from behind the rotation.
     #[inline(always)]
-    pub(super) fn unrotated_shift(&self) -> [f64; 3] {
+    pub(in crate::ik) fn unrotated_shift(&self) -> [f64; 3] {
         let (rotation, t) = (&self.rotation, &self.shift);
         let mut out = [0.0; 3];
         for j in 0..3 {
@@ -387,14 +413,14 @@ impl Rigid {
 
     /// The rotation of a direction in lanes.
     #[inline(always)]
-    pub(super) fn rotate<S: Simd>(&self, v: &Vector<S>) -> Vector<S> {
+    pub(in crate::ik) fn rotate<S: Simd>(&self, v: &Vector<S>) -> Vector<S> {
         let [x, y, z] = &self.rotation;
         [along(x, v), along(y, v), along(z, v)]
     }
 
     /// A point in lanes, moved.
     #[inline(always)]
-    pub(super) fn carry<S: Simd>(&self, p: &Vector<S>) -> Vector<S> {
+    pub(in crate::ik) fn carry<S: Simd>(&self, p: &Vector<S>) -> Vector<S> {
         let turned = self.rotate(p);
         [
             turned[0] + p[0].constant(self.shift[0]),
@@ -406,7 +432,7 @@ impl Rigid {
 
 /// A constant vector in lanes.
 #[inline(always)]
-pub(super) fn constant<S: Simd>(simd: S, v: [f64; 3]) -> Vector<S> {
+pub(in crate::ik) fn constant<S: Simd>(simd: S, v: [f64; 3]) -> Vector<S> {
     [
         Lane::splat(simd, v[0]),
         Lane::splat(simd, v[1]),
@@ -416,20 +442,20 @@ pub(super) fn constant<S: Simd>(simd: S, v: [f64; 3]) -> Vector<S> {
 
 /// The component of a vector along a constant one.
 #[inline(always)]
-pub(super) fn along<S: Simd>(by: &[f64; 3], v: &Vector<S>) -> Lane<S> {
+pub(in crate::ik) fn along<S: Simd>(by: &[f64; 3], v: &Vector<S>) -> Lane<S> {
     let [x, y, z] = constant(v[0].simd, *by);
     z.mul_add(v[2], y.mul_add(v[1], x * v[0]))
 }
 
 /// A vector times a number.
 #[inline(always)]
-pub(super) fn scaled<S: Simd>(v: &Vector<S>, by: Lane<S>) -> Vector<S> {
+pub(in crate::ik) fn scaled<S: Simd>(v: &Vector<S>, by: Lane<S>) -> Vector<S> {
     [v[0] * by, v[1] * by, v[2] * by]
 }
 
 /// `yes` where the mask holds, `no` elsewhere.
 #[inline(always)]
-pub(super) fn pick<S: Simd, const N: usize>(
+pub(in crate::ik) fn pick<S: Simd, const N: usize>(
     mask: Mask<S>,
     yes: &[Lane<S>; N],
     no: &[Lane<S>; N],
@@ -443,7 +469,7 @@ pub(super) fn pick<S: Simd, const N: usize>(
 
 /// The sum of squares.
 #[inline(always)]
-pub(super) fn square<S: Simd, const N: usize>(v: &[Lane<S>; N]) -> Lane<S> {
+pub(in crate::ik) fn square<S: Simd, const N: usize>(v: &[Lane<S>; N]) -> Lane<S> {
     let mut sum = v[0] * v[0];
     for k in 1..N {
         sum = v[k].mul_add(v[k], sum);

@@ -86,6 +86,8 @@ pub(super) struct Local {
     parts: [[f64; PARTS]; COUNT],
     /// Below this a Bernstein coefficient may be noise.
     pub(super) least: f64,
+    /// The same for the second derivative.
+    flat: f64,
 }
 
 /// The value and its first two derivatives.
@@ -109,6 +111,10 @@ pub(super) enum Roots {
 const DARK: f64 = 0.6;
 /// Times the noise of the series: with fewer, chance would soon reach it.
 const DROWNED: f64 = 30.0;
+/// The same for the second derivative, which the noise of the highest terms of the series enters some hundred times; and times an
+/// error that does not show in the samples: it is as smooth as the function.
+const ROUGH: f64 = 1000.0;
+const SMOOTH: f64 = 30.0;
 
 impl Local {
     /// The polynomial that has these values at the nodes, each of them wrong by an error that does not show at most.
@@ -149,7 +155,12 @@ impl Local {
         } else {
             f64::MAX
         };
-        Self { parts, least }
+        let flat = if least < f64::MAX {
+            ROUGH * noise + SMOOTH * error
+        } else {
+            f64::MAX
+        };
+        Self { parts, least, flat }
     }
 
     fn list(&self, part: usize) -> [f64; COUNT] {
@@ -168,9 +179,9 @@ impl Local {
             (1, 0 | 1) if !ends => return Roots::One,
             _ => {}
         }
-        let bends = list.windows(3).map(|w| w[2] - 2.0 * w[1] + w[0]);
+        let bends = list.windows(3).map(|w| BEND * (w[2] - 2.0 * w[1] + w[0]));
         let (up, down) = bends.fold((true, true), |(up, down), bend| {
-            (up && bend > self.least, down && bend < -self.least)
+            (up && bend > self.flat, down && bend < -self.flat)
         });
         if up || down {
             Roots::Bent(up)
@@ -199,7 +210,7 @@ impl Local {
         let (n, rate) = (DEGREE as f64, 0.5 * PARTS as f64);
         for left in (1..COUNT).rev() {
             if left == 2 {
-                jet.bend = n * (n - 1.0) * rate * rate * (list[2] - 2.0 * list[1] + list[0]);
+                jet.bend = BEND * (list[2] - 2.0 * list[1] + list[0]);
             } else if left == 1 {
                 jet.slope = n * rate * (list[1] - list[0]);
             }
@@ -246,6 +257,8 @@ impl Local {
     }
 }
 
+/// The second derivative from second differences of Bernstein coefficients of a part.
+const BEND: f64 = 0.25 * (DEGREE * (DEGREE - 1) * PARTS * PARTS) as f64;
 /// Newton steps at most.
 const STEPS: usize = 40;
 /// The last step, as a share of half the interval.

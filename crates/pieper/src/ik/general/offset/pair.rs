@@ -66,7 +66,7 @@ impl WithSimd for Pair<'_> {
         if tops.len() == wanted {
             return true;
         }
-        let found = self.follow(simd, &starts);
+        let found = self.follow(simd, &tried);
         if self.sharing(&found) == 2 * wanted {
             found.add_to(self.pool);
             return true;
@@ -120,10 +120,9 @@ impl Pair<'_> {
 
     /// Solutions from all starts, each by itself.
     #[inline(always)]
-    fn follow<S: Simd>(&self, simd: S, starts: &[Start; WAYS]) -> Pool {
-        let points = starts.map(|start| start.point);
+    fn follow<S: Simd>(&self, simd: S, starts: &[Point]) -> Pool {
         let mut found = Pool::new();
-        for points in points.chunks(S::F64_LANES) {
+        for points in starts.chunks(S::F64_LANES) {
             let mut q = gather(simd, points);
             let errors = newton(simd, self.finish.goal, &mut q);
             found.add(&q, errors, points.len(), TOLERANCES.closes_well);

@@ -117,8 +117,11 @@ pub(super) struct Zoom<'a> {
 }
 
 /// By how much the numbers of the equation are changed to see what their rounding does to it: it is the same for all samples, so that
-/// they do not show it.
+/// they do not show it. On short intervals by less, or it would no longer be a small change: as a part of half the interval at most,
+/// and what it then is, so that it is not chosen anew each time.
 const SHIFT: f64 = 1e-10;
+const MOST_SHIFT: f64 = 0.02;
+const NEXT_SHIFT: f64 = 0.002;
 /// In how many ways they are changed: one may by chance do little.
 const MOVED: usize = 3;
 /// Of the changes.
@@ -128,7 +131,7 @@ const ERROR: f64 = 4e-15;
 /// Looks at most.
 const LOOKS: usize = 128;
 /// Radians: half an interval, no closer.
-const CLOSEST: f64 = 1e-11;
+const CLOSEST: f64 = 1e-14;
 /// Of a window's width: as much is looked at beyond its ends, so that a root at an end is not at the end of what is seen. Unequal, so
 /// that what is in a window's middle is not at the end of a part.
 const MARGINS: (f64, f64) = (0.13, 0.22);
@@ -152,7 +155,8 @@ impl WithSimd for Zoom<'_> {
             sight,
         } = self;
         let mut random = Random::new(SEED);
-        let moved: [_; MOVED] = std::array::from_fn(|_| equation.moved(SHIFT, &mut random));
+        let mut shift = SHIFT;
+        let mut moved: [_; MOVED] = std::array::from_fn(|_| equation.moved(shift, &mut random));
         let mut queue = Queue::new();
         for &window in windows.iter() {
             queue.push(window);
@@ -167,6 +171,10 @@ impl WithSimd for Zoom<'_> {
             if half < CLOSEST {
                 sight.dark.push((low, high));
                 continue;
+            }
+            if shift > MOST_SHIFT * half {
+                shift = NEXT_SHIFT * half;
+                moved = std::array::from_fn(|_| equation.moved(shift, &mut random));
             }
             let (sin, cos) = middle.sin_cos();
             let turn = Turn {
@@ -188,7 +196,7 @@ impl WithSimd for Zoom<'_> {
                     }
                 }
             }
-            let error = change.largest() * (ERROR / SHIFT);
+            let error = change.largest() * (ERROR / shift);
             Look {
                 local: &Local::new(simd, tables, &values, error),
                 window: (low, high),

@@ -25,7 +25,8 @@ mod zoom;
 
 use pulp::{Simd, WithSimd};
 
-use super::isolate::{Candidates, Origin, isolate};
+use super::isolate::{CANDIDATES, Candidates, Origin, isolate};
+use super::list::List;
 use super::newton::Goal;
 use super::polynomial::{Sampled, transform};
 use super::pool::Pool;
@@ -74,6 +75,26 @@ pub(super) struct Found {
     pub(super) doubt: Doubt,
     /// How often two roots were nearly one.
     pub(super) pairs: usize,
+}
+
+/// The solutions to which roots and pairs of them lead: none is led to by two of them.
+struct Claims {
+    bits: u64,
+    disjoint: bool,
+}
+
+impl Claims {
+    fn new() -> Self {
+        Self {
+            bits: 0,
+            disjoint: true,
+        }
+    }
+
+    fn add(&mut self, bits: u64) {
+        self.disjoint &= self.bits & bits == 0;
+        self.bits |= bits;
+    }
 }
 
 /// Radians: how far to the sides of a pair that was not told apart its roots are sought.
@@ -211,7 +232,9 @@ impl Offset {
                 windows: &mut windows,
             });
         }
-        let mut simple = std::mem::take(&mut pool.hit);
+        // What pairs lead to; each time the bits of it alone, and those of what was found before are kept aside.
+        let mut hit = std::mem::take(&mut pool.hit);
+        let mut pairs: List<(f64, u64), CANDIDATES> = List::new();
         for &top in &candidates.pairs[..candidates.pair_count] {
             let told = simd.vectorize(Pair {
                 finish: &finish,
@@ -219,10 +242,19 @@ impl Offset {
                 within: TOLERANCES.moved,
                 pool,
             });
-            if !told {
-                windows.add_around(top, BESIDE);
+            let bits = std::mem::take(&mut pool.hit);
+            hit |= bits;
+            match told {
+                true => pairs.push((top, bits)),
+                false => windows.add_around(top, BESIDE),
             }
         }
+        // What was found by the way may belong to a root that was not seen.
+        let known = followed.bits() | pairs.iter().fold(0, |all, (_, bits)| all | bits);
+        for stray in (0..pool.count).filter(|index| (known >> index) & 1 == 0) {
+            windows.add_around(self.kept(&pool.points[stray]), BESIDE);
+        }
+        let mut claims = Claims::new();
         let mut sight = Sight::new();
         let polished = followed.count;
         let mut close = true;
@@ -242,11 +274,13 @@ impl Offset {
                     within: TOLERANCES.moved.min(0.5 * sight.nearest(index)),
                     pool,
                 });
+                let bits = std::mem::take(&mut pool.hit);
+                hit |= bits;
+                claims.add(bits);
                 if !told {
                     sight.dark.push((top - BESIDE, top + BESIDE));
                 }
             }
-            let paired = std::mem::take(&mut pool.hit);
             for register in 0..sight.roots.len().div_ceil(S::F64_LANES) {
                 close &= simd.vectorize(Close {
                     finish: &finish,
@@ -256,11 +290,14 @@ impl Offset {
                     followed: &mut followed,
                 });
             }
-            simple |= std::mem::replace(&mut pool.hit, paired);
         }
-        pool.hit |= simple;
-        // Fewer, and two roots that lead to the same solution are one root found twice, and another lost; an odd number, and one was
-        // not seen.
+        pool.hit |= hit;
+        // Those in windows were seen again there.
+        for &(_, bits) in pairs.iter().filter(|(top, _)| !windows.hold(*top)) {
+            claims.add(bits);
+        }
+        // Two roots that lead to the same solution are one root found twice, and another lost; an odd number of them, and one was not
+        // seen.
         let is_seen = |k: usize, angle: f64| {
             if k < polished {
                 !windows.hold(angle)
@@ -268,8 +305,10 @@ impl Offset {
                 sight.roots[k - polished].inside
             }
         };
-        let (roots, expected) = followed.count(is_seen);
-        let whole = simple.count_ones() as usize == expected && roots.is_multiple_of(2);
+        let (roots, bits) = followed.count(is_seen);
+        claims.add(bits.unwrap_or_default());
+        let whole =
+            bits.is_some() && claims.disjoint && claims.bits == pool.hit && roots.is_multiple_of(2);
         doubt.drowned =
             !sight.is_clear() || windows.overflowed || followed.unsure || !close || !whole;
         if doubt.drowned {

@@ -106,17 +106,25 @@ impl Pool {
         self.count < before
     }
 
-    /// Adds the first `used` lanes whose error is at most `most`.
+    /// Adds the first `used` lanes whose error is at most `most`; for each lane the bit of its solution.
     #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, q: &Angles<S>, errors: Lane<S>, used: usize, most: f64) {
+    pub(super) fn add<S: Simd>(
+        &mut self,
+        q: &Angles<S>,
+        errors: Lane<S>,
+        used: usize,
+        most: f64,
+    ) -> [u64; 8] {
         let mut error = [0.0; 8];
         errors.store(&mut error, 0);
         let points = scatter(q);
+        let mut bits = [0; 8];
         for lane in 0..used.min(8) {
             if error[lane] <= most {
-                self.insert(&points[lane], error[lane], 0);
+                bits[lane] = self.insert(&points[lane], error[lane], 0);
             }
         }
+        bits
     }
 
     /// Adds all of them to others.
@@ -126,9 +134,9 @@ impl Pool {
         }
     }
 
-    /// Adds a solution unless it is there; either way it counts as hit. What a fold told (see [`Pool::told`]) is better than what
-    /// none did, and the smaller error otherwise.
-    pub(super) fn insert(&mut self, point: &Point, error: f64, told: u8) {
+    /// Adds a solution unless it is there; either way it counts as hit, and its bit is returned. What a fold told (see [`Pool::told`]) is
+    /// better than what none did, and the smaller error otherwise.
+    pub(super) fn insert(&mut self, point: &Point, error: f64, told: u8) -> u64 {
         let (mut nearest, mut least) = (0, f64::INFINITY);
         for index in 0..self.count {
             let away = distance(point, &self.points[index]);
@@ -139,21 +147,22 @@ impl Pool {
         // Beside a fold there is nothing but what it told.
         let is_copy = told == 0 && least < TOLERANCES.same_fold && self.told[nearest] > 0;
         if is_copy || least < TOLERANCES.same {
-            self.hit |= 1 << nearest;
             if (told, -error) > (self.told[nearest], -self.errors[nearest]) {
                 self.points[nearest] = *point;
                 self.errors[nearest] = error;
                 self.told[nearest] = told;
             }
-            return;
-        }
-        if self.count < CAPACITY {
-            self.points[self.count] = *point;
-            self.errors[self.count] = error;
-            self.told[self.count] = told;
-            self.hit |= 1 << self.count;
+        } else if self.count < CAPACITY {
+            nearest = self.count;
+            self.points[nearest] = *point;
+            self.errors[nearest] = error;
+            self.told[nearest] = told;
             self.count += 1;
+        } else {
+            return 0;
         }
+        self.hit |= 1 << nearest;
+        1 << nearest
     }
 }
 

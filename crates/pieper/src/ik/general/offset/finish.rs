@@ -8,7 +8,7 @@ use super::{Meets, Offset, back};
 use crate::ik::general::isolate::{CANDIDATES, Candidates};
 use crate::ik::general::newton::{Angles, Goal, newton};
 use crate::ik::general::polynomial::Sampled;
-use crate::ik::general::pool::Pool;
+use crate::ik::general::pool::{Point, Pool};
 use crate::ik::general::refine::polish;
 use crate::ik::general::tables::Tables;
 use crate::ik::general::tolerances::TOLERANCES;
@@ -36,7 +36,8 @@ impl Finish<'_> {
         q
     }
 
-    /// From the unknown and a branch to solutions, of the first so many lanes; whether there is one close to it, to rounding.
+    /// From the unknown and a branch to solutions, of the first so many lanes; whether there is one close to it, to rounding, and the
+    /// bits of all in the pool.
     #[inline(always)]
     pub(super) fn solve<S: Simd>(
         &self,
@@ -45,10 +46,10 @@ impl Finish<'_> {
         branch: &Branch<S>,
         used: usize,
         pool: &mut Pool,
-    ) -> Mask<S> {
+    ) -> (Mask<S>, [u64; 8]) {
         let mut q = self.joints(simd, angle, branch);
         let errors = newton(simd, self.goal, &mut q);
-        pool.add(&q, errors, used, TOLERANCES.closes);
+        let bits = pool.add(&q, errors, used, TOLERANCES.closes);
         let kept = q[self.offset.unknown()];
         let kept = if self.offset.reversed {
             kept.reversed()
@@ -58,7 +59,7 @@ impl Finish<'_> {
         let moved = square(&[kept.cos - angle.cos, kept.sin - angle.sin]);
         let most = moved.constant(TOLERANCES.moved * TOLERANCES.moved);
         let closes = errors.less(moved.constant(TOLERANCES.closes_well));
-        closes.and(moved.less(most))
+        (closes.and(moved.less(most)), bits)
     }
 }
 
@@ -72,14 +73,22 @@ impl Offset {
             (Meets::Sixth, true) => 2,
         }
     }
+
+    /// Its value, as the equation counts it.
+    pub(super) fn kept(&self, point: &Point) -> f64 {
+        let (sin, cos) = (point[6 + self.unknown()], point[self.unknown()]);
+        let sign = if self.reversed { -1.0 } else { 1.0 };
+        (sign * sin).atan2(cos)
+    }
 }
 
 /// Roots of the equation that were followed to solutions.
 pub(super) struct Followed {
     pub(super) count: usize,
     pub(super) angles: [f64; FOLLOWED],
-    /// How many solutions each should lead to.
+    /// How many solutions each should lead to, and the bits of those to which it did.
     solutions: [u8; FOLLOWED],
+    bits: [u64; FOLLOWED],
     /// The number of solutions of some could not be told.
     pub(super) unsure: bool,
 }
@@ -93,20 +102,28 @@ impl Followed {
             count: 0,
             angles: [0.0; FOLLOWED],
             solutions: [0; FOLLOWED],
+            bits: [0; FOLLOWED],
             unsure: false,
         }
     }
 
-    /// The number of the roots that are to be counted, and of their solutions.
-    pub(super) fn count(&self, is_counted: impl Fn(usize, f64) -> bool) -> (usize, usize) {
-        let mut counts = (0, 0);
+    /// The bits of all their solutions.
+    pub(super) fn bits(&self) -> u64 {
+        let bits = self.bits[..self.count].iter();
+        bits.fold(0, |all, bits| all | bits)
+    }
+
+    /// The number of the roots that are to be counted, and the bits of their solutions; `None` for these if there should be more.
+    pub(super) fn count(&self, is_counted: impl Fn(usize, f64) -> bool) -> (usize, Option<u64>) {
+        let (mut roots, mut expected, mut bits) = (0, 0, 0_u64);
         for k in 0..self.count {
             if is_counted(k, self.angles[k]) {
-                counts.0 += 1;
-                counts.1 += usize::from(self.solutions[k]);
+                roots += 1;
+                expected += u32::from(self.solutions[k]);
+                bits |= self.bits[k];
             }
         }
-        counts
+        (roots, (bits.count_ones() == expected).then_some(bits))
     }
 }
 
@@ -142,10 +159,13 @@ impl Finish<'_> {
         // Where the point is closer to axis 1 than the arm's shoulder is, a root belongs to no real solution.
         let (real, unsure) = at.is_real();
         let x = at.first(symmetric);
-        let mut good = self.solve(simd, angle, &at.branch(x, at.turn(x)), roots.used, pool);
+        let branch = at.branch(x, at.turn(x));
+        let (mut good, mut bits) = self.solve(simd, angle, &branch, roots.used, pool);
         if symmetric {
             let branch = at.branch(-x, at.turn(-x));
-            good = good.and(self.solve(simd, angle, &branch, roots.used, pool));
+            let (other, mirrored) = self.solve(simd, angle, &branch, roots.used, pool);
+            good = good.and(other);
+            bits = std::array::from_fn(|lane| bits[lane] | mirrored[lane]);
         }
         let (mut cos, mut sin, mut solutions) = ([0.0; 8], [0.0; 8], [0.0; 8]);
         // Where they were seen: a step from a flat root may lead anywhere.
@@ -156,6 +176,7 @@ impl Finish<'_> {
         for lane in 0..roots.used.min(FOLLOWED - followed.count) {
             followed.angles[followed.count] = sin[lane].atan2(cos[lane]);
             followed.solutions[followed.count] = solutions[lane] as u8;
+            followed.bits[followed.count] = bits[lane];
             followed.count += 1;
         }
         followed.unsure |= unsure.any();

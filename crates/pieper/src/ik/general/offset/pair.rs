@@ -5,6 +5,7 @@ use pulp::{Simd, WithSimd};
 
 use super::equation::Values;
 use super::finish::Finish;
+use crate::ik::angle::wrap;
 use crate::ik::general::fold::Folds;
 use crate::ik::general::list::List;
 use crate::ik::general::newton::{error, newton};
@@ -102,14 +103,7 @@ impl Pair<'_> {
 
     /// Whether the unknown is that of the pair.
     fn is_at(&self, point: &Point) -> bool {
-        let unknown = self.finish.offset.unknown();
-        let (sin, cos) = self.top.sin_cos();
-        let sign = if self.finish.offset.reversed {
-            -1.0
-        } else {
-            1.0
-        };
-        (point[unknown] - cos).hypot(sign * point[6 + unknown] - sin) < self.within
+        wrap(self.finish.offset.kept(point) - self.top).abs() < self.within
     }
 
     /// How many of the solutions have the unknown of the pair.

@@ -121,7 +121,7 @@ pub(super) fn run<S: Simd>(
 /// Whether the eliminations agree on the roots that are not open: of those there may be new copies every time, they say nothing.
 fn agree(pool: &Pool, sigma: &[f64; CAPACITY], reports: &[Report], grown: bool) -> bool {
     let open = pool.open(sigma);
-    let listed = (1 << pool.count) - 1;
+    let listed = pool.listed();
     let (mut whole, mut clear) = (0, 0);
     for report in reports {
         if listed & !open & !report.hit == 0 {

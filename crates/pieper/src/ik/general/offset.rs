@@ -29,7 +29,7 @@ use super::isolate::{CANDIDATES, Candidates, Origin, isolate};
 use super::list::List;
 use super::newton::Goal;
 use super::polynomial::{Sampled, transform};
-use super::pool::Pool;
+use super::pool::{CAPACITY, Pool};
 use super::random::Random;
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
@@ -75,6 +75,11 @@ pub(super) struct Found {
     pub(super) doubt: Doubt,
     /// How often two roots were nearly one.
     pub(super) pairs: usize,
+}
+
+/// The places of the ones.
+fn ones(bits: u64) -> impl Iterator<Item = usize> {
+    (0..CAPACITY).filter(move |index| (bits >> index) & 1 == 1)
 }
 
 /// The solutions to which roots and pairs of them lead: none is led to by two of them.
@@ -235,6 +240,7 @@ impl Offset {
         // What pairs lead to; each time the bits of it alone, and those of what was found before are kept aside.
         let mut hit = std::mem::take(&mut pool.hit);
         let mut pairs: List<(f64, u64), CANDIDATES> = List::new();
+        let mut known = followed.bits();
         for &top in &candidates.pairs[..candidates.pair_count] {
             let told = simd.vectorize(Pair {
                 finish: &finish,
@@ -244,14 +250,21 @@ impl Offset {
             });
             let bits = std::mem::take(&mut pool.hit);
             hit |= bits;
-            match told {
+            // What belongs to others, or to where others look, was not told of this one.
+            let is_own = |index: usize| {
+                let angle = self.kept(&pool.points[index]);
+                windows.hold(angle) == windows.hold(top)
+            };
+            let own = bits & known == 0 && ones(bits).all(is_own);
+            match told && own {
                 true => pairs.push((top, bits)),
                 false => windows.add_around(top, BESIDE),
             }
+            known |= bits;
         }
         // What was found by the way may belong to a root that was not seen.
         let known = followed.bits() | pairs.iter().fold(0, |all, (_, bits)| all | bits);
-        for stray in (0..pool.count).filter(|index| (known >> index) & 1 == 0) {
+        for stray in ones(pool.listed() & !known) {
             windows.add_around(self.kept(&pool.points[stray]), BESIDE);
         }
         let mut claims = Claims::new();

@@ -54,6 +54,11 @@ impl Pool {
         })
     }
 
+    /// One bit for each solution.
+    pub(super) fn listed(&self) -> u64 {
+        (1 << self.count) - 1
+    }
+
     /// For how many roots the solutions stand, as far as it is known.
     pub(super) fn roots(&self) -> usize {
         let told = self.told[..self.count].iter();

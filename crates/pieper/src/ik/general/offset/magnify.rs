@@ -64,6 +64,9 @@ const LOOKS: usize = 128;
 const CLEAR: usize = 5;
 /// Radians.
 const DIM: f64 = 1e-5;
+/// Spots in a window as short as that, whatever is seen in it: where four roots are nearly one, as the directions from there are, no
+/// value is smaller than the others for certain.
+const EVENLY: usize = 8;
 /// Radians: no closer, angles have no more digits.
 const CLOSEST: f64 = 1e-15;
 
@@ -74,6 +77,12 @@ impl WithSimd for Magnify<'_> {
     fn with_simd<S: Simd>(self, simd: S) {
         for &(low, high) in self.windows {
             let middle = 0.5 * (low + high);
+            if high - low < DIM {
+                for k in 0..EVENLY {
+                    self.spots
+                        .push(low + (high - low) * (k as f64 + 0.5) / EVENLY as f64);
+                }
+            }
             // Some more than the window: a smallest value at its end would not be seen.
             let half = 0.55 * (high - low);
             let mut queue = [(0.0, 0.0); LOOKS];

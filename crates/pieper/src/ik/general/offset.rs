@@ -102,6 +102,8 @@ impl Claims {
     }
 }
 
+/// Radians: how well the polynomial knows the top of a pair. If it is farther away there is something else near.
+const AT_TOP: f64 = 1e-5;
 /// Radians: how far to the sides of a pair that was not told apart its roots are sought.
 const BESIDE: f64 = 1e-2;
 /// Targets on which the symmetry is tested.
@@ -245,7 +247,7 @@ impl Offset {
             let told = simd.vectorize(Pair {
                 finish: &finish,
                 top,
-                within: TOLERANCES.moved,
+                within: AT_TOP,
                 pool,
             });
             let bits = std::mem::take(&mut pool.hit);

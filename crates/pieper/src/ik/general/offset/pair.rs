@@ -49,7 +49,6 @@ impl WithSimd for Pair<'_> {
         let wanted = 1 << u32::from(finish.offset.symmetric);
         let starts = self.starts(simd, angle, &at);
         let mut tried: List<Point, WAYS> = List::new();
-        // Of those that are close none is kept waiting by others.
         let mut close = 0;
         for start in &starts {
             if start.error < START {
@@ -59,26 +58,16 @@ impl WithSimd for Pair<'_> {
                 close = tried.len();
             }
         }
-        let (close, others) = tried.split_at(close);
         let mut tops = List::new();
-        for starts in close.chunks(S::F64_LANES) {
+        for starts in tried[..close].chunks(S::F64_LANES) {
             self.tell(simd, starts, &mut tops);
         }
         if tops.len() == wanted {
             return true;
         }
         let found = self.follow(simd, &tried);
-        if self.sharing(&found) == 2 * wanted {
-            found.add_to(self.pool);
-            return true;
-        }
-        for starts in others.chunks(S::F64_LANES) {
-            self.tell(simd, starts, &mut tops);
-        }
-        if tops.len() != wanted {
-            found.add_to(self.pool);
-        }
-        tops.len() == wanted
+        found.add_to(self.pool);
+        self.sharing(&found) == 2 * wanted
     }
 }
 

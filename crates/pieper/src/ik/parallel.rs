@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Rotation3, Vector3};
 
 use super::TOLERANCES;
-use super::angle::{LinearRoots, MERGED, Roots, forth, length, solve_linear, turn_between, unit};
+use super::angle::{LinearRoots, MERGED, ONE, Roots, forth, length, solve_linear, turn_between, unit};
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;
@@ -282,7 +282,7 @@ impl<'a> Loop<'a> {
         sink.fail(Part::Inside, roots.excess * self.size);
         // The equations are of order one: what is as small as their rounding is none.
         let near = self.slack == 0.0 && roots.edge && roots.excess < MERGED;
-        if near && roots.excess > -MERGED {
+        if near && roots.excess > -ONE {
             let toward = 1.0_f64.copysign(-constant);
             (roots.turns[0], roots.len) = (unit((toward * s, toward * c)), 1);
         }
@@ -452,19 +452,25 @@ impl<'a> Loop<'a> {
         let shortest = length(y).min(length(m));
         let free = shortest < TOLERANCES.free;
         if !free {
-            self.triangle(arm, outer, index, (turn_between(m, y), false), sink);
+            // As far as rounding may have turned it, and with it moved the third corner.
+            let slack = match shortest < UNSTEADY {
+                true => self.slack.max(ROUNDING / shortest),
+                false => self.slack,
+            };
+            let e = turn_between(m, y);
+            self.triangle(arm, outer, index, (e, false, slack), sink);
         }
         if free {
             // Axis e is parallel to the three: it may stand anywhere within the triangle's reach.
             for e in self.within_reach(arm, outer) {
-                self.triangle(arm, outer, index, (e.sin_cos(), free), sink);
+                self.triangle(arm, outer, index, (e.sin_cos(), free, self.slack), sink);
             }
         }
         // Or nearly parallel, and the arm misses its class: it may stand anywhere as a start.
         if shortest < 16.0 * self.slack {
             for k in 0..ANYWHERE {
                 let e = k as f64 * TAU / ANYWHERE as f64;
-                self.triangle(arm, outer, index, (e.sin_cos(), free), sink);
+                self.triangle(arm, outer, index, (e.sin_cos(), free, self.slack), sink);
             }
         }
     }
@@ -515,11 +521,11 @@ impl<'a> Loop<'a> {
         arm: &ThreeParallel,
         outer: &Outer,
         index: usize,
-        (e, free): ((f64, f64), bool),
+        (e, free, slack): ((f64, f64), bool, f64),
         sink: &mut Sink<'_>,
     ) {
         let (at, toward) = self.corner(outer, e);
-        let bends = arm.triangle.solve(at, toward, self.slack);
+        let bends = arm.triangle.solve(at, toward, slack);
         if let Some(shortfall) = bends.shortfall.filter(|_| !free) {
             sink.fail(shortfall.part, shortfall.amount);
         }
@@ -539,6 +545,11 @@ impl<'a> Loop<'a> {
         }
     }
 }
+
+/// A direction that is shorter is known so badly that a triangle may seem not to close which does.
+const UNSTEADY: f64 = 1e-5;
+/// Of such a direction.
+const ROUNDING: f64 = 1e-15;
 
 /// Starts for a joint that may stand nearly anywhere.
 const ANYWHERE: usize = 16;

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use nalgebra::{Rotation3, Vector3};
 
 use super::TOLERANCES;
-use super::angle::{LinearRoots, MERGED, ONE, Roots, forth, length, solve_linear, turn_between, unit};
+use super::angle::{
+    LinearRoots, MERGED, ONE, Roots, forth, length, solve_linear, turn_between, unit,
+};
 use super::arm::Arm;
 use super::classify::{Class, Structure};
 use super::normal::Normal;

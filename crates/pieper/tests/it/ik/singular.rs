@@ -333,6 +333,75 @@ fn solutions_that_were_lost_beside_singularities() {
         let solver = super::random_arms::solver(&rows.map(turning));
         check_found(&solver, &q, 2e-6, "lost once");
     }
+    // Pairs of roots beside other pairs, which the polynomial takes for one pair somewhere between them.
+    let crx = "fanuc-crx10ia";
+    let beside_others = [
+        (
+            crx,
+            [
+                -3.08901658583621819,
+                -1.49013828656764113,
+                -1.56979632679489711,
+                -1.35997673689211496,
+                2.67582395138101425,
+                0.02921819788489943,
+            ],
+        ),
+        (
+            crx,
+            [
+                -1.90960059751978251,
+                2.16041882434603938,
+                -0.39086524265537670,
+                -3.13975370665211662,
+                2.31726723827631043,
+                2.59357219698650088,
+            ],
+        ),
+        (
+            "xarm6",
+            [
+                -0.68088494278085776,
+                3.11359839225645718,
+                -3.01904410874935092,
+                -1.28126807226841777,
+                -1.09628424656452861,
+                0.82275986500103926,
+            ],
+        ),
+    ];
+    for (id, q) in beside_others {
+        check_found(&solver(id), &q, 2e-6, id);
+    }
+}
+
+/// Folded, the wrist of a CRX is close to where axes 1 and 2 cross, about which four joints turn then: all its solutions there have the
+/// last joint nearly where it is, and stand in mirrored pairs.
+#[test]
+fn a_folded_arm_has_all_its_solutions() {
+    let mut random = fastrand::Rng::with_seed(23);
+    let solver = solver("fanuc-crx10ia");
+    for exponent in 2..=8 {
+        for _ in 0..100 {
+            let mut q = random_joints(solver.chain(), &mut random);
+            q[2] = -FRAC_PI_2 + 10_f64.powi(-exponent);
+            let tolerance = (1e-14 / sigma(&solver, &q)).max(2e-6);
+            check_found(&solver, &q, tolerance, &format!("folded to 1e-{exponent}"));
+            let mirrored = [q[0] + PI, -q[1], -PI - q[2], q[3] + PI, q[4], q[5]];
+            let found = solver
+                .solve(&tool_pose(solver.chain(), &q).unwrap())
+                .unwrap();
+            assert!(
+                contains(&solver, &mirrored, &found, tolerance),
+                "{q:?} mirrored"
+            );
+            let roots: u32 = found.iter().map(|s| u32::from(s.multiplicity)).sum();
+            assert!(
+                !found.families().is_empty() || roots % 4 == 0,
+                "{q:?}: {found:?}"
+            );
+        }
+    }
 }
 
 /// An arm without any structure.

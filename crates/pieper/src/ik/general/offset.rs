@@ -18,6 +18,7 @@
 mod back;
 mod equation;
 mod finish;
+mod hunt;
 mod local;
 mod magnify;
 mod pair;
@@ -25,23 +26,19 @@ mod zoom;
 
 use pulp::{Simd, WithSimd};
 
-use super::isolate::{CANDIDATES, Candidates, Origin, isolate};
-use super::list::List;
+use super::isolate::{Candidates, Origin, isolate};
 use super::newton::Goal;
 use super::polynomial::{Sampled, transform};
-use super::pool::{CAPACITY, Pool};
+use super::pool::Pool;
 use super::random::Random;
 use super::single::{Doubt, Target};
 use super::tables::{SAMPLES, Tables};
-use super::tolerances::TOLERANCES;
 use crate::ik::lanes::{Lane, Rigid, Turn};
 use crate::ik::normal::Normal;
 use crate::spatial::{Pose, sin_cos_exact};
 use equation::{Equation, Plane};
-use finish::{Close, Finish, Followed, Polish};
-use magnify::{Magnify, Search, Spots};
-use pair::Pair;
-use zoom::{Sight, Windows, Zoom};
+use finish::Finish;
+use hunt::Hunt;
 
 /// Which neighbour axis 5 meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,35 +74,6 @@ pub(super) struct Found {
     pub(super) pairs: usize,
 }
 
-/// The places of the ones.
-fn ones(bits: u64) -> impl Iterator<Item = usize> {
-    (0..CAPACITY).filter(move |index| (bits >> index) & 1 == 1)
-}
-
-/// The solutions to which roots and pairs of them lead: none is led to by two of them.
-struct Claims {
-    bits: u64,
-    disjoint: bool,
-}
-
-impl Claims {
-    fn new() -> Self {
-        Self {
-            bits: 0,
-            disjoint: true,
-        }
-    }
-
-    fn add(&mut self, bits: u64) {
-        self.disjoint &= self.bits & bits == 0;
-        self.bits |= bits;
-    }
-}
-
-/// Radians: how well the polynomial knows the top of a pair. If it is farther away there is something else near.
-const AT_TOP: f64 = 1e-5;
-/// Radians: how far to the sides of a pair that was not told apart its roots are sought.
-const BESIDE: f64 = 1e-2;
 /// Targets on which the symmetry is tested.
 const TRIALS: usize = 8;
 const SEED: u64 = 0x6f66_6673;
@@ -225,144 +193,18 @@ impl Offset {
             target: &target,
             equation: &equation,
         };
-        let mut followed = Followed::new();
-        let mut windows = zoom::drowned(&candidates);
-        for register in 0..candidates.count.div_ceil(S::F64_LANES) {
-            simd.vectorize(Polish {
-                finish: &finish,
-                tables,
-                sampled: &sampled,
-                candidates: &candidates,
-                register,
-                pool,
-                followed: &mut followed,
-                windows: &mut windows,
-            });
-        }
-        // What pairs lead to; each time the bits of it alone, and those of what was found before are kept aside.
-        let mut hit = std::mem::take(&mut pool.hit);
-        let mut pairs: List<(f64, u64), CANDIDATES> = List::new();
-        let mut known = followed.bits();
-        for &top in &candidates.pairs[..candidates.pair_count] {
-            let told = simd.vectorize(Pair {
-                finish: &finish,
-                top,
-                within: AT_TOP,
-                pool,
-            });
-            let bits = std::mem::take(&mut pool.hit);
-            hit |= bits;
-            // What belongs to others, or to where others look, was not told of this one.
-            let is_own = |index: usize| {
-                let angle = self.kept(&pool.points[index]);
-                windows.hold(angle) == windows.hold(top)
-            };
-            let own = bits & known == 0 && ones(bits).all(is_own);
-            match told && own {
-                true => pairs.push((top, bits)),
-                false => windows.add_around(top, BESIDE),
-            }
-            known |= bits;
-        }
-        // What was found by the way may belong to a root that was not seen.
-        let known = followed.bits() | pairs.iter().fold(0, |all, (_, bits)| all | bits);
-        for stray in ones(pool.listed() & !known) {
-            windows.add_around(self.kept(&pool.points[stray]), BESIDE);
-        }
-        let mut claims = Claims::new();
-        let mut sight = Sight::new();
-        let polished = followed.count;
-        let mut close = true;
-        if !windows.is_empty() {
-            simd.vectorize(Zoom {
-                equation: &equation,
-                symmetric: self.symmetric,
-                tables: &self.local,
-                windows: &windows,
-                sight: &mut sight,
-            });
-            for index in 0..sight.tops.len() {
-                let top = sight.tops[index];
-                let told = simd.vectorize(Pair {
-                    finish: &finish,
-                    top,
-                    within: TOLERANCES.moved.min(0.5 * sight.nearest(index)),
-                    pool,
-                });
-                let bits = std::mem::take(&mut pool.hit);
-                hit |= bits;
-                claims.add(bits);
-                if !told {
-                    sight.dark.push((top - BESIDE, top + BESIDE));
-                }
-            }
-            for register in 0..sight.roots.len().div_ceil(S::F64_LANES) {
-                close &= simd.vectorize(Close {
-                    finish: &finish,
-                    roots: &sight.roots,
-                    register,
-                    pool,
-                    followed: &mut followed,
-                });
-            }
-        }
-        pool.hit |= hit;
-        // Those in windows were seen again there.
-        for &(_, bits) in pairs.iter().filter(|(top, _)| !windows.hold(*top)) {
-            claims.add(bits);
-        }
-        // Two roots that lead to the same solution are one root found twice, and another lost; an odd number of them, and one was not
-        // seen.
-        let is_seen = |k: usize, angle: f64| {
-            if k < polished {
-                !windows.hold(angle)
-            } else {
-                sight.roots[k - polished].inside
-            }
-        };
-        let (roots, bits) = followed.count(is_seen);
-        claims.add(bits.unwrap_or_default());
-        let whole =
-            bits.is_some() && claims.disjoint && claims.bits == pool.hit && roots.is_multiple_of(2);
-        doubt.drowned =
-            !sight.is_clear() || windows.overflowed || followed.unsure || !close || !whole;
+        let mut hunt = Hunt::new(&finish, pool, &candidates);
+        hunt.polish(simd, tables, &sampled, &candidates);
+        hunt.tell_pairs(simd, &candidates);
+        hunt.look_closely(simd);
+        doubt.drowned = !hunt.is_whole();
         if doubt.drowned {
-            let angles = followed.angles[..followed.count].iter();
-            let tops = candidates.pairs[..candidates.pair_count].iter();
-            let spots = Spots::new(angles.chain(tops).chain(sight.tops.iter()).copied());
-            search(simd, &finish, spots, [&sight.dark, &windows], pool);
+            hunt.search(simd, &candidates);
         }
         Found {
             doubt,
             pairs: candidates.pair_count,
         }
-    }
-}
-
-/// Tries everything at the spots, and at what else is found in the windows.
-#[inline(always)]
-fn search<S: Simd>(
-    simd: S,
-    finish: &Finish<'_>,
-    mut spots: Spots,
-    windows: [&Windows; 2],
-    pool: &mut Pool,
-) {
-    for windows in windows {
-        simd.vectorize(Magnify {
-            equation: finish.equation,
-            symmetric: finish.offset.symmetric,
-            windows,
-            spots: &mut spots,
-        });
-    }
-    for register in 0..spots.count.div_ceil(S::F64_LANES) {
-        simd.vectorize(Search {
-            finish,
-            spots: &spots,
-            register,
-            pool,
-        });
     }
 }
 

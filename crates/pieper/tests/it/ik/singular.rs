@@ -381,11 +381,18 @@ fn solutions_that_were_lost_beside_singularities() {
 fn a_folded_arm_has_all_its_solutions() {
     let mut random = fastrand::Rng::with_seed(23);
     let solver = solver("fanuc-crx10ia");
+    let mut tried = 0;
     for exponent in 2..=8 {
         for _ in 0..100 {
             let mut q = random_joints(solver.chain(), &mut random);
             q[2] = -FRAC_PI_2 + 10_f64.powi(-exponent);
-            let tolerance = (1e-14 / sigma(&solver, &q)).max(2e-6);
+            let sigma = sigma(&solver, &q);
+            if sigma < 1e-11 {
+                // To rounding it is a family.
+                continue;
+            }
+            tried += 1;
+            let tolerance = (1e-14 / sigma).max(2e-6);
             check_found(&solver, &q, tolerance, &format!("folded to 1e-{exponent}"));
             let mirrored = [q[0] + PI, -q[1], -PI - q[2], q[3] + PI, q[4], q[5]];
             let found = solver
@@ -397,11 +404,12 @@ fn a_folded_arm_has_all_its_solutions() {
             );
             let roots: u32 = found.iter().map(|s| u32::from(s.multiplicity)).sum();
             assert!(
-                !found.families().is_empty() || roots % 4 == 0,
+                !found.families().is_empty() || roots.is_multiple_of(4),
                 "{q:?}: {found:?}"
             );
         }
     }
+    assert!(tried > 600, "only {tried}");
 }
 
 /// An arm without any structure.

@@ -125,30 +125,24 @@ impl<S: Simd> Lane<S> {
     }
 
     #[inline(always)]
+    fn mask(self, value: S::m64s) -> Mask<S> {
+        let simd = self.simd;
+        Mask { simd, value }
+    }
+
+    #[inline(always)]
     pub(in crate::ik) fn less(self, other: Self) -> Mask<S> {
-        let value = self.simd.less_than_f64s(self.value, other.value);
-        Mask {
-            simd: self.simd,
-            value,
-        }
+        self.mask(self.simd.less_than_f64s(self.value, other.value))
     }
 
     #[inline(always)]
     pub(in crate::ik) fn at_most(self, other: Self) -> Mask<S> {
-        let value = self.simd.less_than_or_equal_f64s(self.value, other.value);
-        Mask {
-            simd: self.simd,
-            value,
-        }
+        self.mask(self.simd.less_than_or_equal_f64s(self.value, other.value))
     }
 
     #[inline(always)]
     pub(in crate::ik) fn equals(self, other: Self) -> Mask<S> {
-        let value = self.simd.equal_f64s(self.value, other.value);
-        Mask {
-            simd: self.simd,
-            value,
-        }
+        self.mask(self.simd.equal_f64s(self.value, other.value))
     }
 
     /// With the sign of another in place of its own, which is not negative.

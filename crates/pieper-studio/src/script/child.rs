@@ -36,6 +36,8 @@ pub(crate) trait Host: Send + Sync + 'static {
 /// A script that runs.
 pub(crate) struct Running {
     group: Pid,
+    /// Python has started and asked for the script.
+    begun: Arc<AtomicBool>,
     stopped: Arc<AtomicBool>,
     /// Wakes a pause.
     alarm: Arc<(Mutex<()>, Condvar)>,
@@ -50,7 +52,10 @@ impl Running {
         if self.done.load(Ordering::SeqCst) {
             return;
         }
-        let _ = kill_process_group(self.group, Signal::INT);
+        // Python that still starts would print where it was interrupted, and nothing of the person's is lost with it.
+        let is_begun = self.begun.load(Ordering::SeqCst);
+        let signal = if is_begun { Signal::INT } else { Signal::KILL };
+        let _ = kill_process_group(self.group, signal);
         let (group, done) = (self.group, Arc::clone(&self.done));
         std::thread::spawn(move || {
             std::thread::sleep(GRACE);
@@ -134,6 +139,7 @@ pub(crate) fn run(python: &Python, source: String, host: Arc<dyn Host>) -> Resul
         .ok_or("Python could not be started")?;
     let running = Running {
         group,
+        begun: Arc::default(),
         stopped: Arc::default(),
         alarm: Arc::default(),
         done: Arc::default(),
@@ -161,6 +167,7 @@ pub(crate) fn run(python: &Python, source: String, host: Arc<dyn Host>) -> Resul
     let serving = Serving {
         source,
         started: Instant::now(),
+        begun: Arc::clone(&running.begun),
         stopped: Arc::clone(&running.stopped),
         alarm: Arc::clone(&running.alarm),
         host,
@@ -236,6 +243,7 @@ fn coalesce(told: &Receiver<(&'static str, Vec<u8>)>, host: &dyn Host) {
 struct Serving {
     source: String,
     started: Instant,
+    begun: Arc<AtomicBool>,
     stopped: Arc<AtomicBool>,
     alarm: Arc<(Mutex<()>, Condvar)>,
     host: Arc<dyn Host>,
@@ -299,7 +307,10 @@ impl Serving {
             return Err("the script was stopped".to_owned());
         }
         match call.first().and_then(Value::as_str) {
-            Some("source") => Ok(json!(self.source)),
+            Some("source") => {
+                self.begun.store(true, Ordering::SeqCst);
+                Ok(json!(self.source))
+            }
             Some("time") => Ok(json!(self.started.elapsed().as_secs_f64())),
             Some("failed") => {
                 let line = call

@@ -3,6 +3,7 @@ import builtins
 import json
 import math
 import os
+import signal
 import sys
 import threading
 import traceback
@@ -137,7 +138,20 @@ def _failed(error):
     _call("failed", line, text)
 
 
-def _main():
+def _interrupted(*_):
+    # Once is enough: a second one would fall into the clearing up after the first.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    raise KeyboardInterrupt
+
+
+def _unraisable(report):
+    # Python drops what is raised inside a destructor or a weakref's callback: the script would go on.
+    if report.exc_type is KeyboardInterrupt:
+        os._exit(130)
+    sys.__unraisablehook__(report)
+
+
+def _run():
     source = _call("source")
     scope = {"__name__": "__main__", "__builtins__": builtins, "__file__": "script.py"}
     try:
@@ -152,13 +166,17 @@ def _main():
             if rate is not None:
                 _call("refresh_rate", _number(rate()))
             control.RunScript()
-    except KeyboardInterrupt:
-        sys.exit(130)
-    except SystemExit:
+    except (KeyboardInterrupt, SystemExit):
         raise
     except BaseException as error:
         _failed(error)
         sys.exit(1)
 
 
-_main()
+# The studio interrupts no script that has not asked for its source yet: from here on it is this handler that hears it.
+sys.unraisablehook = _unraisable
+signal.signal(signal.SIGINT, _interrupted)
+try:
+    _run()
+except KeyboardInterrupt:
+    sys.exit(130)

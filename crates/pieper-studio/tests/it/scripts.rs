@@ -168,6 +168,37 @@ async fn stop_always_works() {
     alive(&mut window).await;
 }
 
+/// Stopped while Python starts, while modules are loaded, where exceptions are dropped, twice: it ends, and says nothing.
+#[tokio::test]
+async fn stop_is_silent_whenever_it_comes() {
+    let Some(mut window) = ready("ar3").await else {
+        return;
+    };
+    let import = "import sys\nwhile True:\n    for name in ['json', 'json.decoder', 'ctypes', 'wave']: sys.modules.pop(name, None)\n    import json, ctypes, wave\n";
+    let destructor = "class Held:\n    def __del__(self):\n        for _ in range(1000): pass\nwhile True: Held()\n";
+    for (text, count) in [
+        ("while True: pass\n", 40),
+        (import, 40),
+        (destructor, 10),
+        ("import time\ntime.sleep(60)", 5),
+    ] {
+        for k in 0..count {
+            say(&mut window, json!({"do": "script_run", "text": text})).await;
+            tokio::time::sleep(Duration::from_millis(4 * k)).await;
+            say(&mut window, json!({"do": "script_stop"})).await;
+            say(&mut window, json!({"do": "script_stop"})).await;
+            let (section, printed) = end(&mut window).await;
+            assert_eq!(
+                (&section["ended"], &*printed),
+                (&json!("stopped"), ""),
+                "{text} after {} ms",
+                4 * k
+            );
+        }
+    }
+    alive(&mut window).await;
+}
+
 #[tokio::test]
 async fn nothing_that_a_script_does_to_itself_reaches_the_studio() {
     let Some(mut window) = ready("ar3").await else {

@@ -438,7 +438,8 @@ const cases = [
     const stop = page.getByRole('button', { name: 'Stop', exact: true });
     await until(page, () => [...document.querySelectorAll('.script button')].find((b) => b.textContent === 'Stop').disabled, (off) => !off, 'running');
     await stop.click();
-    await page.locator('.console').getByText('stopped').waitFor();
+    await page.locator('.console .note').getByText('stopped', { exact: true }).waitFor();
+    check(await page.locator('.console .err').count() === 0, 'nothing but that it was stopped');
   }],
   ['formulas stand beside the picture with their numbers', 'ar3', async (page) => {
     await page.getByRole('tab', { name: 'Formulas' }).click();

@@ -25,6 +25,7 @@ macro_rules! unrolled {
 pub(in crate::ik) use unrolled;
 
 /// One register of doubles.
+#[repr(align(64))]
 #[derive(Clone, Copy)]
 pub(in crate::ik) struct Lane<S: Simd> {
     simd: S,

@@ -10,6 +10,7 @@ use crate::scalar::Scalar;
 
 /// One register of doubles.
 #[derive(Clone, Copy)]
+#[repr(align(64))]
 pub(super) struct Lanes<S: Simd> {
     pub(super) simd: S,
     pub(super) value: S::f64s,

@@ -4,11 +4,12 @@
 //! number (Lane and Riesenfeld, BIT 21, 1981). None: no root. One: exactly one, between the ends. More: the arc is
 //! halved by de Casteljau's rule.
 
-use pulp::Simd;
+use pulp::{Scalar, Simd};
 
+use super::refine::local;
 use super::tables::{ARCS, BERNSTEIN, DEGREE, HALF, Tables, Trigonometric};
 use super::tolerances::TOLERANCES;
-use crate::ik::lanes::Lane;
+use crate::ik::lanes::{Lane, Turn};
 
 /// Most candidates: 16 roots, or fewer with near-misses, two extra each.
 pub(super) const CANDIDATES: usize = 32;
@@ -110,21 +111,16 @@ impl Candidates {
         }
     }
 
-    fn push(&mut self, arc: usize, (low, high): (f64, f64), (at_low, at_high): (f64, f64)) {
+    #[inline(always)]
+    fn push(&mut self, arc: usize, (low, high): (f64, f64), at_low: f64, start: f64) {
         if self.count == CANDIDATES {
             return;
         }
         let k = self.count;
         self.count += 1;
         self.arc[k] = arc as u8;
-        (self.low[k], self.high[k], self.sign[k]) = (low, high, at_low.signum());
-        let share = at_low / (at_low - at_high);
-        let share = if share.is_finite() {
-            share.clamp(0.05, 0.95)
-        } else {
-            0.5
-        };
-        self.start[k] = share.mul_add(high - low, low);
+        (self.low[k], self.high[k]) = (low, high);
+        (self.sign[k], self.start[k]) = (at_low.signum(), start);
     }
 
     /// Fills the last register with copies of a candidate: what else is there would be worked on until it is given up.
@@ -147,8 +143,30 @@ impl Candidates {
     }
 
     fn push_point(&mut self, arc: usize, at: f64) {
-        self.push(arc, (at, at), (1.0, -1.0));
+        self.push(arc, (at, at), 1.0, at);
     }
+}
+
+/// Where the chord is zero, but not close to the ends.
+#[inline(always)]
+fn chord((low, high): (f64, f64), (at_low, at_high): (f64, f64)) -> f64 {
+    let share = at_low / (at_low - at_high);
+    let share = if share.is_finite() {
+        share.clamp(0.05, 0.95)
+    } else {
+        0.5
+    };
+    share.mul_add(high - low, low)
+}
+
+/// About where the only zero is: that of the control polygon.
+#[inline(always)]
+fn crossing((low, high): (f64, f64), list: impl Fn(usize) -> f64) -> f64 {
+    let last = BERNSTEIN - 1;
+    let k = (0..last).find(|&k| list(k) * list(k + 1) < 0.0);
+    let k = k.unwrap_or(last / 2);
+    let share = (k as f64 + list(k) / (list(k) - list(k + 1))) / last as f64;
+    share.mul_add(high - low, low)
 }
 
 /// Of every arc, how often the sign of the Bernstein coefficients changes, and how many of them noise may have changed.
@@ -236,8 +254,8 @@ pub(super) fn isolate<S: Simd>(
         if changes == 0.0 && settled {
             out.drowned |= vague > 0.0;
         } else if changes == 1.0 && settled {
-            let ends = (coefficients[0][arc], coefficients[BERNSTEIN - 1][arc]);
-            out.push(arc, (-HALF, HALF), ends);
+            let start = crossing((-HALF, HALF), |i| coefficients[i][arc]);
+            out.push(arc, (-HALF, HALF), coefficients[0][arc], start);
         } else {
             let list = std::array::from_fn(|i| coefficients[i][arc]);
             Arc {
@@ -273,11 +291,19 @@ struct Piece {
 /// Radians: pieces that are vague are halved to this, so that little of the circle is looked at again.
 const WINDOW: f64 = 0.01;
 
+/// Times the noise: an extremum that is farther from zero is, whatever noise does. It is no more than the usual noise that is known.
+const CLEAR: f64 = 1e4;
+
+/// Radians: the last step towards an extremum is shorter. What is left of it is the square of that, and changes the value there
+/// by less than rounding does.
+const FOUND: f64 = 1e-5;
+
 /// Halvings of an arc at most: down to the least width.
 const DEPTH: usize = 12;
 
 impl Arc<'_> {
     /// Halves until every part has at most one sign change, or is decided otherwise.
+    #[inline(always)]
     fn subdivide(&self, list: [f64; BERNSTEIN], out: &mut Candidates) {
         let whole = Piece {
             low: -HALF,
@@ -299,8 +325,12 @@ impl Arc<'_> {
                 _ if vague && is_equation && (width < WINDOW || last) => self.window(&piece, out),
                 _ if vague && is_equation => piece.split(&mut stack, &mut depth),
                 0 => self.touch(&piece, &mut proposed, out),
-                1 => out.push(self.index, (piece.low, piece.high), piece.ends()),
-                2 if width < TOLERANCES.pair_width && self.pair(&piece, &mut proposed, out) => {}
+                1 => {
+                    let ends = (piece.low, piece.high);
+                    let start = crossing(ends, |i| piece.list[i]);
+                    out.push(self.index, ends, piece.list[0], start);
+                }
+                2 if self.two(&piece, &mut proposed, out) => {}
                 _ if last && is_equation => self.window(&piece, out),
                 _ if last => {
                     out.unsure = true;
@@ -312,12 +342,14 @@ impl Arc<'_> {
     }
 
     /// The equation itself has to be looked at.
+    #[inline(always)]
     fn window(&self, piece: &Piece, out: &mut Candidates) {
         let middle = HALF * (2 * self.index + 1) as f64;
         out.push_window((middle + piece.low, middle + piece.high));
     }
 
     /// Whether noise may have hidden some of the sign changes of a piece.
+    #[inline(always)]
     fn is_vague(&self, piece: &Piece, changes: usize) -> bool {
         let least = TOLERANCES.drowned * self.noise;
         let vague = || piece.list.iter().filter(|x| x.abs() < least).count();
@@ -326,6 +358,7 @@ impl Arc<'_> {
 
     /// No root, unless the polynomial is so small there that noise may hide some: then the point where it is smallest is
     /// proposed, once in an arc.
+    #[inline(always)]
     fn touch(&self, piece: &Piece, proposed: &mut bool, out: &mut Candidates) {
         let (mut place, mut least) = (0, f64::INFINITY);
         for (index, value) in piece.list.iter().enumerate() {
@@ -345,12 +378,33 @@ impl Arc<'_> {
         }
     }
 
+    /// Two sign changes: true if it is known what they mean.
+    #[inline(always)]
+    fn two(&self, piece: &Piece, proposed: &mut bool, out: &mut Candidates) -> bool {
+        let is_bent = piece.is_bent(TOLERANCES.drowned * self.noise);
+        if !is_bent && piece.high - piece.low > TOLERANCES.pair_width {
+            return false;
+        }
+        match piece.extremum() {
+            Some(start) => self.pair(piece, (start, is_bent), proposed, out),
+            // The same sign at both ends, and nothing but up or down between them.
+            None => is_bent,
+        }
+    }
+
     /// Two roots or none, with an extremum between: finds it by Newton's method. Either it is across zero from the ends
     /// and parts two roots; or the roots are a complex pair, and if that is as close to real as noise can make it,
     /// points around are proposed, once in an arc. True if the piece is decided: not if there is no extremum inside, or
-    /// if the piece is so long that there may be another.
-    fn pair(&self, piece: &Piece, proposed: &mut bool, out: &mut Candidates) -> bool {
-        let mut at = 0.5 * (piece.low + piece.high);
+    /// if there may be another.
+    #[inline(always)]
+    fn pair(
+        &self,
+        piece: &Piece,
+        (start, is_bent): (f64, bool),
+        proposed: &mut bool,
+        out: &mut Candidates,
+    ) -> bool {
+        let mut at = start;
         let margin = piece.high - piece.low;
         let mut values = self.values(at);
         for _ in 0..8 {
@@ -360,7 +414,7 @@ impl Arc<'_> {
             }
             at -= step;
             values = self.values(at);
-            if step.abs() < 1e-3 * TOLERANCES.least_width {
+            if step.abs() < FOUND {
                 break;
             }
         }
@@ -380,13 +434,21 @@ impl Arc<'_> {
         }
         let (at_low, at_high) = piece.ends();
         if (values[0] < 0.0) != (at_low < 0.0) {
-            out.push(self.index, (piece.low, at), (at_low, values[0]));
-            out.push(self.index, (at, piece.high), (values[0], at_high));
+            // As far from the top as those of a parabola.
+            let beside = (2.0 * top / bend).sqrt();
+            for (ends, signs, start) in [
+                ((piece.low, at), (at_low, values[0]), at - beside),
+                ((at, piece.high), (values[0], at_high), at + beside),
+            ] {
+                let is_inside = ends.0 < start && start < ends.1;
+                let start = if is_inside { start } else { chord(ends, signs) };
+                out.push(self.index, ends, signs.0, start);
+            }
             return true;
         }
         if self.origin != Origin::Perturbed {
-            // Halved until the pair leaves no more sign changes: there may be other extrema beside.
-            return false;
+            // Halved until the pair leaves no more sign changes, where there may be other extrema beside.
+            return is_bent && top > CLEAR * self.noise;
         }
         out.drowned |= drowned;
         let imaginary = (2.0 * top / bend).sqrt();
@@ -401,13 +463,15 @@ impl Arc<'_> {
     }
 
     /// The polynomial and its first two derivatives at an offset from the middle.
+    #[inline(always)]
     fn values(&self, offset: f64) -> [f64; 3] {
-        let (sin, cos) = offset.sin_cos();
-        let (c0, s0) = (
-            self.tables.arc_cos[0][self.index],
-            self.tables.arc_sin[0][self.index],
-        );
-        let (c, s) = (c0 * cos - s0 * sin, s0 * cos + c0 * sin);
+        let scalar = |x: f64| Lane::splat(Scalar::new(), x);
+        let middle = Turn {
+            cos: scalar(self.tables.arc_cos[0][self.index]),
+            sin: scalar(self.tables.arc_sin[0][self.index]),
+        };
+        let turn = local(middle, scalar(offset));
+        let (c, s) = (turn.cos.largest(), turn.sin.largest());
         let (mut ck, mut sk) = (1.0, 0.0);
         let mut out = [self.polynomial[0], 0.0, 0.0];
         for k in 1..=DEGREE {
@@ -423,11 +487,34 @@ impl Arc<'_> {
 }
 
 impl Piece {
+    #[inline(always)]
     fn ends(&self) -> (f64, f64) {
         (self.list[0], self.list[BERNSTEIN - 1])
     }
 
+    /// Whether it is convex or concave, whatever an error of this size does to the coefficients.
+    #[inline(always)]
+    fn is_bent(&self, error: f64) -> bool {
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for k in 1..BERNSTEIN - 1 {
+            let bend = (self.list[k + 1] - self.list[k]) - (self.list[k] - self.list[k - 1]);
+            (least, most) = (least.min(bend), most.max(bend));
+        }
+        least > 4.0 * error || most < -4.0 * error
+    }
+
+    /// About where it turns: the zero of the slope's control polygon, if it has one.
+    #[inline(always)]
+    fn extremum(&self) -> Option<f64> {
+        let slope = |k: usize| self.list[k + 1] - self.list[k];
+        let last = BERNSTEIN - 2;
+        let k = (0..last).find(|&k| slope(k) * slope(k + 1) < 0.0)?;
+        let share = (k as f64 + slope(k) / (slope(k) - slope(k + 1))) / last as f64;
+        Some(share.mul_add(self.high - self.low, self.low))
+    }
+
     /// Puts both halves on the stack.
+    #[inline(always)]
     fn split(&self, stack: &mut [Self; DEPTH + 1], depth: &mut usize) {
         let (left, right) = self.halves();
         (stack[*depth], stack[*depth + 1]) = (right, left);
@@ -435,6 +522,7 @@ impl Piece {
     }
 
     /// De Casteljau's rule at the middle.
+    #[inline(always)]
     fn halves(&self) -> (Self, Self) {
         let middle = 0.5 * (self.low + self.high);
         let mut right = self.list;
@@ -451,6 +539,7 @@ impl Piece {
     }
 }
 
+#[inline(always)]
 fn sign_changes(list: &[f64; BERNSTEIN]) -> usize {
     list.windows(2)
         .filter(|pair| pair[0] * pair[1] < 0.0)

@@ -296,41 +296,40 @@ pub(super) fn measure<S: Simd>(simd: S, goal: &Goal<'_>, q: &Angles<S>) -> Measu
     let zero = Lane::splat(simd, 0.0);
     // The column of the inverse that is longest has a large part of what is sought.
     let mut free = [zero; 6];
-    let mut length = zero;
+    let mut longest = zero;
     for j in 0..6 {
         let mut column = [zero; 6];
         for i in 0..6 {
             column[i] = inverse[i][j];
         }
-        let size = square(&column).sqrt();
-        let longer = length.less(size);
+        let size = square(&column);
+        let longer = longest.less(size);
         free = pick(longer, &column, &free);
-        length = longer.pick(size, length);
+        longest = longer.pick(size, longest);
     }
-    let one = Lane::splat(simd, 1.0);
-    divide(&mut free, length);
-    let mut stretch = length;
+    // The largest singular value of the inverse is at most 6^(1/2) times as long: with this factor nothing grows by more than 6.
+    let shrunk = Lane::splat(simd, 1.0) / longest;
     let mut left = [zero; 6];
     for _ in 0..POWERS {
         left = [zero; 6];
         for i in 0..6 {
+            let along = free[i] * shrunk;
             for j in 0..6 {
-                left[j] = inverse[i][j].mul_add(free[i], left[j]);
+                left[j] = inverse[i][j].mul_add(along, left[j]);
             }
         }
-        let length = square(&left).sqrt();
-        divide(&mut left, length);
         free = [zero; 6];
         for i in 0..6 {
             for j in 0..6 {
                 free[i] = inverse[i][j].mul_add(left[j], free[i]);
             }
         }
-        stretch = square(&free).sqrt();
-        divide(&mut free, stretch);
     }
+    let (short, long) = (square(&left).sqrt(), square(&free).sqrt());
+    divide(&mut left, short);
+    divide(&mut free, long);
     Measured {
-        sigma: one / stretch,
+        sigma: short / long,
         free,
         left,
     }

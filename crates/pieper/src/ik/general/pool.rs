@@ -144,7 +144,12 @@ impl Pool {
     pub(super) fn insert(&mut self, point: &Point, error: f64, told: u8) -> u64 {
         let (mut nearest, mut least) = (0, f64::INFINITY);
         for index in 0..self.count {
-            let away = distance(point, &self.points[index]);
+            let other = &self.points[index];
+            // Nearly all of them are excluded by the first joint alone.
+            if (point[0] - other[0]).abs() >= TOLERANCES.same_fold {
+                continue;
+            }
+            let away = distance(point, other);
             if away < least {
                 (nearest, least) = (index, away);
             }

@@ -3,13 +3,14 @@
 use pulp::Simd;
 
 use super::isolate::{CANDIDATES, Candidates};
-use super::tables::{DEGREE, Tables, Trigonometric};
+use super::tables::{DEGREE, HALF, Tables, Trigonometric};
 use super::tolerances::TOLERANCES;
 use crate::ik::lanes::{Lane, Turn};
 
 /// Angles c and the polynomial's slope there.
 #[derive(Clone, Copy)]
 pub(super) struct Polished<S: Simd> {
+    pub(super) angle: Lane<S>,
     pub(super) turn: Turn<S>,
     pub(super) slope: Lane<S>,
     /// The longest step that the determinant itself may add: none for points that are no simple roots.
@@ -19,8 +20,10 @@ pub(super) struct Polished<S: Simd> {
 /// Newton steps at most; the last ones only for intervals that had to be halved.
 const STEPS: usize = 12;
 
-/// Radians: the last step is shorter. Roots this close are still told apart.
-const POLISHED: f64 = 1e-8;
+/// Radians: what is closer to a root is left to the step on what the polynomial stands for, if it is as small a part of the distance
+/// from the ends of the interval, where there may be an extremum.
+const POLISHED: f64 = 1e-6;
+const OF_THE_WAY: f64 = 0.01;
 
 /// The roots of the candidates in register `register`.
 #[inline(always)]
@@ -32,9 +35,11 @@ pub(super) fn polish<S: Simd>(
     register: usize,
 ) -> Polished<S> {
     let (mut cos, mut sin) = ([1.0; CANDIDATES], [0.0; CANDIDATES]);
+    let mut middles = [0.0; CANDIDATES];
     for k in 0..candidates.count.next_multiple_of(8).min(CANDIDATES) {
         cos[k] = tables.arc_cos[0][usize::from(candidates.arc[k])];
         sin[k] = tables.arc_sin[0][usize::from(candidates.arc[k])];
+        middles[k] = HALF * f64::from(2 * u16::from(candidates.arc[k]) + 1);
     }
     let middle = Turn {
         cos: Lane::load(simd, &cos, register),
@@ -42,31 +47,36 @@ pub(super) fn polish<S: Simd>(
     };
     let mut low = Lane::load(simd, &candidates.low, register);
     let mut high = Lane::load(simd, &candidates.high, register);
+    let (first, last) = (low, high);
     let sign = Lane::load(simd, &candidates.sign, register);
     let mut at = Lane::load(simd, &candidates.start, register);
-    let most = low.less(high).pick(
-        Lane::splat(simd, TOLERANCES.refine_step),
-        Lane::splat(simd, 0.0),
-    );
     let (zero, half) = (Lane::splat(simd, 0.0), Lane::splat(simd, 0.5));
+    let is_root = low.less(high);
+    let most = is_root.pick(Lane::splat(simd, TOLERANCES.refine_step), zero);
+    let (polished, of_the_way) = (Lane::splat(simd, POLISHED), Lane::splat(simd, OF_THE_WAY));
     let mut turn = local(middle, at);
     let (mut value, mut slope) = evaluate(polynomial, turn);
     for _ in 0..STEPS {
         let before = (value * sign).less(zero);
         high = before.pick(at, high);
         low = before.pick(low, at);
-        let newton = at - value / slope;
-        let inside = low.less(newton).and(newton.less(high));
-        let next = inside.pick(newton, half * (low + high));
-        let moved = (next - at).abs();
-        at = next;
-        turn = local(middle, at);
-        (value, slope) = evaluate(polynomial, turn);
-        if moved.largest() < POLISHED {
+        let step = value / slope;
+        let enough = polished.min(of_the_way * (at - first).min(last - at));
+        if is_root.pick(step.abs() - enough, zero).largest() <= 0.0 {
             break;
         }
+        let newton = at - step;
+        let inside = low.less(newton).and(newton.less(high));
+        at = inside.pick(newton, half * (low + high));
+        turn = local(middle, at);
+        (value, slope) = evaluate(polynomial, turn);
     }
-    Polished { turn, slope, most }
+    Polished {
+        angle: at + Lane::load(simd, &middles, register),
+        turn,
+        slope,
+        most,
+    }
 }
 
 /// `middle` turned on by an offset of at most half an arc: sine and cosine by their series.

@@ -129,6 +129,7 @@ impl Followed {
 
 /// Roots in lanes.
 pub(super) struct Simple<S: Simd> {
+    pub(super) angle: Lane<S>,
     pub(super) turn: Turn<S>,
     /// Of the equation, per radian.
     pub(super) slope: Lane<S>,
@@ -167,14 +168,13 @@ impl Finish<'_> {
             good = good.and(other);
             bits = std::array::from_fn(|lane| bits[lane] | mirrored[lane]);
         }
-        let (mut cos, mut sin, mut solutions) = ([0.0; 8], [0.0; 8], [0.0; 8]);
+        let (mut angles, mut solutions) = ([0.0; 8], [0.0; 8]);
         // Where they were seen: a step from a flat root may lead anywhere.
-        roots.turn.cos.store(&mut cos, 0);
-        roots.turn.sin.store(&mut sin, 0);
+        roots.angle.store(&mut angles, 0);
         let each = Lane::splat(simd, if symmetric { 2.0 } else { 1.0 });
         real.pick(each, zero).store(&mut solutions, 0);
         for lane in 0..roots.used.min(FOLLOWED - followed.count) {
-            followed.angles[followed.count] = sin[lane].atan2(cos[lane]);
+            followed.angles[followed.count] = angles[lane];
             followed.solutions[followed.count] = solutions[lane] as u8;
             followed.bits[followed.count] = bits[lane];
             followed.count += 1;
@@ -217,6 +217,7 @@ impl WithSimd for Polish<'_> {
         let shaky = Lane::splat(simd, self.sampled.noise / TOLERANCES.shaky_equation);
         let flat = polished.slope.abs().less(shaky);
         let roots = Simple {
+            angle: polished.angle,
             turn: polished.turn,
             slope: polished.slope * Lane::splat(simd, 1.0 / self.sampled.scale),
             most: polished.most,
@@ -261,17 +262,19 @@ impl WithSimd for Close<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let (mut cos, mut sin) = ([1.0; 8], [0.0; 8]);
+        let (mut angle, mut cos, mut sin) = ([0.0; 8], [1.0; 8], [0.0; 8]);
         let (mut slope, mut room) = ([1.0; 8], [0.0; 8]);
         let first = self.register * S::F64_LANES;
         let used = (self.roots.len() - first).min(S::F64_LANES);
         for lane in 0..S::F64_LANES {
             // The last one in all lanes that are left.
             let root = &self.roots[first + lane.min(used - 1)];
+            angle[lane] = root.angle;
             (sin[lane], cos[lane]) = root.angle.sin_cos();
             (slope[lane], room[lane]) = (root.slope, root.room);
         }
         let roots = Simple {
+            angle: Lane::load(simd, &angle, 0),
             turn: Turn {
                 cos: Lane::load(simd, &cos, 0),
                 sin: Lane::load(simd, &sin, 0),

@@ -163,11 +163,13 @@ impl Local {
         Self { parts, least, flat }
     }
 
+    #[inline(always)]
     fn list(&self, part: usize) -> [f64; COUNT] {
         std::array::from_fn(|i| self.parts[i][part])
     }
 
     /// The roots of a part, by Descartes' rule of signs.
+    #[inline(always)]
     pub(super) fn roots(&self, part: usize) -> Roots {
         let list = self.list(part);
         let changes = list.windows(2).filter(|w| w[0] * w[1] < 0.0).count();
@@ -191,6 +193,7 @@ impl Local {
     }
 
     /// Whether noise has the upper hand.
+    #[inline(always)]
     pub(super) fn is_dark(&self) -> bool {
         let all = self.parts.iter().flatten();
         let vague = all.filter(|x| x.is_nan() || x.abs() < self.least).count();
@@ -198,6 +201,7 @@ impl Local {
     }
 
     /// De Casteljau's rule.
+    #[inline(always)]
     pub(super) fn at(&self, x: f64) -> Jet {
         let part = ((x + 1.0) * (0.5 * PARTS as f64)).clamp(0.0, PARTS as f64 - 1.0) as usize;
         let share = (x - edge(part)) * (0.5 * PARTS as f64);
@@ -223,17 +227,20 @@ impl Local {
     }
 
     /// The root between two places with different signs.
+    #[inline(always)]
     pub(super) fn root(&self, low: f64, high: f64) -> f64 {
         self.zero(low, high, |jet| (jet.value, jet.slope))
     }
 
     /// Where the slope is zero between two places, if its sign differs there.
+    #[inline(always)]
     pub(super) fn top(&self, low: f64, high: f64) -> Option<f64> {
         let crosses = self.at(low).slope * self.at(high).slope < 0.0;
         crosses.then(|| self.zero(low, high, |jet| (jet.slope, jet.bend)))
     }
 
     /// Newton's method between bounds, for a number and its derivative.
+    #[inline(always)]
     fn zero(&self, mut low: f64, mut high: f64, of: impl Fn(&Jet) -> (f64, f64)) -> f64 {
         let sign = of(&self.at(low)).0;
         let mut at = 0.5 * (low + high);

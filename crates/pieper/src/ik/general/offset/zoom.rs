@@ -223,6 +223,7 @@ struct Look<'a> {
 
 impl Look<'_> {
     /// Sorts what is there: roots, tops of pairs, and places that have to be looked at closer.
+    #[inline(always)]
     fn sort(&self, queue: &mut Queue, sight: &mut Sight) {
         if self.local.is_dark() {
             sight.dark.push(self.window);
@@ -252,6 +253,7 @@ impl Look<'_> {
     }
 
     /// Where the function is convex or concave there are two roots at most. False if they have to be looked at closer.
+    #[inline(always)]
     fn bent(&self, low: f64, high: f64, queue: &mut Queue, sight: &mut Sight) -> bool {
         let least = self.local.least;
         let (at_low, at_high) = (self.local.at(low).value, self.local.at(high).value);
@@ -287,14 +289,17 @@ impl Look<'_> {
     }
 
     /// Whether an angle is in the window itself.
+    #[inline(always)]
     fn holds(&self, angle: f64) -> bool {
         self.window.0 <= angle && angle < self.window.1
     }
 
+    #[inline(always)]
     fn angle(&self, at: f64) -> f64 {
         self.half.mul_add(at, self.middle)
     }
 
+    #[inline(always)]
     fn push_root(&self, low: f64, high: f64, sight: &mut Sight) {
         let at = self.local.root(low, high);
         let angle = self.angle(at);
@@ -307,6 +312,7 @@ impl Look<'_> {
     }
 
     /// What is seen is not known well enough: a window of its own, or two where it is most of this one.
+    #[inline(always)]
     fn closer(&self, low: f64, high: f64, queue: &mut Queue, sight: &mut Sight) {
         // Beside the window others look.
         let low = self.angle(low).max(self.window.0);

@@ -48,6 +48,8 @@ pub(super) struct Candidates {
     pub(super) drowned: bool,
     /// Of an exact elimination: some signs are no larger than noise, so that more roots may be where one was seen, or none.
     pub(super) vague: bool,
+    /// The smallest number that a sign was taken from.
+    pub(super) least: f64,
     pub(super) arc: [u8; CANDIDATES],
     /// Offsets from the arc's middle, radians; equal for a point.
     pub(super) low: [f64; CANDIDATES],
@@ -77,6 +79,7 @@ impl Candidates {
             unsure: false,
             drowned: false,
             vague: false,
+            least: f64::INFINITY,
             arc: [0; CANDIDATES],
             low: [0.0; CANDIDATES],
             high: [0.0; CANDIDATES],
@@ -173,6 +176,8 @@ fn crossing((low, high): (f64, f64), list: impl Fn(usize) -> f64) -> f64 {
 struct Signs {
     changes: [f64; ARCS],
     vague: [f64; ARCS],
+    /// The smallest of the coefficients.
+    least: [f64; ARCS],
 }
 
 /// The Bernstein coefficients of all arcs and their signs.
@@ -210,8 +215,10 @@ fn bernstein<S: Simd>(
         }
         let drowned = Lane::splat(simd, TOLERANCES.drowned * noise);
         let (mut count, mut vague) = (zero, zero);
+        let mut least = list[0].abs();
         for i in 0..BERNSTEIN {
             list[i].store(&mut out[i], register);
+            least = least.min(list[i].abs());
             vague = vague + list[i].abs().less(drowned).pick(one, zero);
             if i > 0 {
                 let change = (list[i - 1] * list[i]).less(zero);
@@ -220,6 +227,7 @@ fn bernstein<S: Simd>(
         }
         count.store(&mut signs.changes, register);
         vague.store(&mut signs.vague, register);
+        least.store(&mut signs.least, register);
     }
 }
 
@@ -237,6 +245,7 @@ pub(super) fn isolate<S: Simd>(
     let mut signs = Signs {
         changes: [0.0; ARCS],
         vague: [0.0; ARCS],
+        least: [0.0; ARCS],
     };
     bernstein(
         simd,
@@ -251,6 +260,9 @@ pub(super) fn isolate<S: Simd>(
         let doubtful = vague > changes.min(1.0);
         let settled = origin != Origin::Equation || !doubtful;
         out.vague |= doubtful && changes < 2.0;
+        if changes < 2.0 {
+            out.least = out.least.min(signs.least[arc]);
+        }
         if changes == 0.0 && settled {
             out.drowned |= vague > 0.0;
         } else if changes == 1.0 && settled {
@@ -291,9 +303,6 @@ struct Piece {
 /// Radians: pieces that are vague are halved to this, so that little of the circle is looked at again.
 const WINDOW: f64 = 0.01;
 
-/// Times the noise: an extremum that is farther from zero is, whatever noise does. It is no more than the usual noise that is known.
-const CLEAR: f64 = 1e4;
-
 /// Radians: the last step towards an extremum is shorter. What is left of it is the square of that, and changes the value there
 /// by less than rounding does.
 const FOUND: f64 = 1e-5;
@@ -320,6 +329,12 @@ impl Arc<'_> {
             let changes = sign_changes(&piece.list);
             let vague = self.is_vague(&piece, changes);
             out.vague |= vague && changes < 2;
+            if changes < 2 {
+                out.least = piece
+                    .list
+                    .iter()
+                    .fold(out.least, |least, x| least.min(x.abs()));
+            }
             let last = width < TOLERANCES.least_width || depth + 2 > DEPTH;
             match changes {
                 _ if vague && is_equation && (width < WINDOW || last) => self.window(&piece, out),
@@ -432,6 +447,7 @@ impl Arc<'_> {
             }
             out.drowned |= self.origin == Origin::Exact;
         }
+        out.least = out.least.min(top);
         let (at_low, at_high) = piece.ends();
         if (values[0] < 0.0) != (at_low < 0.0) {
             // As far from the top as those of a parabola.
@@ -448,7 +464,7 @@ impl Arc<'_> {
         }
         if self.origin != Origin::Perturbed {
             // Halved until the pair leaves no more sign changes, where there may be other extrema beside.
-            return is_bent && top > CLEAR * self.noise;
+            return is_bent && top > TOLERANCES.clear * self.noise;
         }
         out.drowned |= drowned;
         let imaginary = (2.0 * top / bend).sqrt();

@@ -203,8 +203,13 @@ impl Elimination {
         let is_clear = !(doubt.near_miss || doubt.drowned || candidates.vague);
         // Fewer, and a root led nowhere or to another one's solution; more, and some solution has no root.
         let is_whole = lone.count_ones() as usize == candidates.intervals();
-        doubt.alone = (self.exact && is_clear && is_whole && sampled.noise < TOLERANCES.believed)
-            .then_some(lone);
+        let believed = if candidates.least > TOLERANCES.clear * sampled.noise {
+            TOLERANCES.believed_clear
+        } else {
+            TOLERANCES.believed
+        };
+        doubt.alone =
+            (self.exact && is_clear && is_whole && sampled.noise < believed).then_some(lone);
         doubt
     }
 

@@ -23,8 +23,12 @@ pub(super) struct Tolerances {
     pub(super) near_miss: f64,
     /// Times the noise of a coefficient: where the polynomial is smaller, its sign means nothing.
     pub(super) drowned: f64,
+    /// The same for what is above the noise without any doubt: the noise is measured, and now and then it is more than what shows.
+    pub(super) clear: f64,
     /// Relative to the largest coefficient: an elimination with more noise is not believed alone.
     pub(super) believed: f64,
+    /// The same for one of which nothing is close to its noise.
+    pub(super) believed_clear: f64,
     /// Radians. Where the noise may move a root by more, it may hide others.
     pub(super) shaky: f64,
     /// The same for an equation without elimination, whose noise is small.
@@ -73,7 +77,9 @@ pub(super) const TOLERANCES: Tolerances = Tolerances {
     beside: 3e-3,
     near_miss: 0.03,
     drowned: 10.0,
+    clear: 1e4,
     believed: 1e-13,
+    believed_clear: 1e-10,
     shaky: 0.01,
     shaky_equation: 1e-6,
     refine_step: 0.02,

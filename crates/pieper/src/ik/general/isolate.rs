@@ -36,6 +36,14 @@ impl Origin {
             _ => TOLERANCES.shaky,
         }
     }
+
+    /// Times the noise: where the top of two roots is closer to zero, the arm is asked.
+    fn doubt(self) -> f64 {
+        match self {
+            Self::Equation => TOLERANCES.drowned,
+            _ => DOUBTED,
+        }
+    }
 }
 
 /// Intervals that hold one root each, and points that may be one: angle = middle of the arc + offset.
@@ -303,6 +311,9 @@ struct Piece {
 /// Radians: pieces that are vague are halved to this, so that little of the circle is looked at again.
 const WINDOW: f64 = 0.01;
 
+/// Of an elimination: its noise is measured, and now and then there is ten times more of it.
+const DOUBTED: f64 = 100.0;
+
 /// Radians: the last step towards an extremum is shorter. What is left of it is the square of that, and changes the value there
 /// by less than rounding does.
 const FOUND: f64 = 1e-5;
@@ -439,13 +450,14 @@ impl Arc<'_> {
         let (top, bend) = (values[0].abs(), values[2].abs());
         let drowned = top < TOLERANCES.drowned * self.noise;
         let flat = (2.0 * top * bend).sqrt() < self.noise / self.origin.shaky();
-        if self.origin != Origin::Perturbed && (drowned || flat) {
-            let most = top + TOLERANCES.drowned * self.noise;
+        let doubt = self.origin.doubt() * self.noise;
+        if self.origin != Origin::Perturbed && (top < doubt || flat) {
+            let most = top + doubt;
             if 2.0 * most < TOLERANCES.beside * TOLERANCES.beside * bend {
                 out.push_pair(HALF * (2 * self.index + 1) as f64 + at);
                 return true;
             }
-            out.drowned |= self.origin == Origin::Exact;
+            out.drowned |= self.origin == Origin::Exact && (drowned || flat);
         }
         out.least = out.least.min(top);
         let (at_low, at_high) = piece.ends();

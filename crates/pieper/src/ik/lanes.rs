@@ -24,9 +24,10 @@ macro_rules! unrolled {
 }
 pub(in crate::ik) use unrolled;
 
-/// One register of doubles.
-#[repr(align(64))]
+/// One register of doubles. In memory it lies in one line of the cache: whether it crossed two was up to where the stack happened to
+/// begin, and cost a tenth of the time.
 #[derive(Clone, Copy)]
+#[repr(align(64))]
 pub(in crate::ik) struct Lane<S: Simd> {
     simd: S,
     value: S::f64s,

@@ -8,7 +8,7 @@ use pulp::Simd;
 use super::kernel::{Column, Turn};
 use crate::scalar::Scalar;
 
-/// One register of doubles.
+/// One register of doubles, in one line of the cache.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct Lanes<S: Simd> {

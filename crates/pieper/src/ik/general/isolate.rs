@@ -1,8 +1,8 @@
 //! Every real root of the trigonometric polynomial: Descartes' rule of signs in Bernstein form on 32 arcs.
 //!
 //! On an arc the number of sign changes of the Bernstein coefficients is the number of roots, or larger by an even
-//! number (Lane and Riesenfeld, BIT 21, 1981). None: no root. One: exactly one, between the ends. More: the arc is
-//! halved by de Casteljau's rule.
+//! number (Lane and Riesenfeld, BIT 21, 1981). None: no root. One: exactly one, between the ends. Two, and the coefficients
+//! are convex or concave: two on both sides of the extremum, or none. Otherwise the arc is halved by de Casteljau's rule.
 
 use pulp::{Scalar, Simd};
 
@@ -475,7 +475,8 @@ impl Arc<'_> {
             return true;
         }
         if self.origin != Origin::Perturbed {
-            // Halved until the pair leaves no more sign changes, where there may be other extrema beside.
+            // Halved until the pair leaves no more sign changes, where there may be other extrema beside, or the noise be more than
+            // is known of it.
             return is_bent && top > TOLERANCES.clear * self.noise;
         }
         out.drowned |= drowned;

@@ -129,6 +129,7 @@ impl Followed {
 
 /// Roots in lanes.
 pub(super) struct Simple<S: Simd> {
+    /// Radians; as cosine and sine besides.
     pub(super) angle: Lane<S>,
     pub(super) turn: Turn<S>,
     /// Of the equation, per radian.

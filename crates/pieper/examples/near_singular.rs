@@ -156,6 +156,9 @@ fn main() {
                 all.extend(times);
             }
         }
+        if all.is_empty() {
+            continue;
+        }
         all.sort_by(f64::total_cmp);
         let of = |share: f64| all[(all.len() as f64 * share) as usize];
         let slow = all.iter().filter(|time| **time > 2.0 * usual).count();
